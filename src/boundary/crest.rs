@@ -8,7 +8,7 @@ use super::profile::Profile;
 pub(super) const BACK: f64 = 3.0;
 
 /// Water lies on a top whose mean is so many spacings above it: half of what a single row has.
-pub(super) const LIES_ON: f64 = 0.25;
+const LIES_ON: f64 = 0.25;
 /// The kernel's mean of water that stands beside an edge lies so far before it, over what of the support reaches
 /// across. Of a half plane it is 0.15 to 0.21 with Wendland C2, and 0.11 to 0.25 with others.
 const BESIDE: f64 = 0.2;
@@ -91,7 +91,7 @@ impl Crest {
     /// top. Before the edge it fades out, on half the way to the mean of water that stands beside the edge alone.
     pub(super) fn carried(&self, x: f64, mean: [f64; 2], spacing: f64) -> f64 {
         let [over, above] = [mean[0] - self.ends[0], mean[1] - self.height];
-        let high = (above / (LIES_ON * spacing)).clamp(0.0, 1.0);
+        let high = lying(above, spacing);
         let beside = BESIDE * (self.reach - (x - self.ends[0]));
         if beside <= 0.0 { high } else { high * (1.0 + 2.0 * over / beside).clamp(0.0, 1.0) }
     }
@@ -100,6 +100,11 @@ impl Crest {
     pub(super) fn below(&self, [x, y]: [f64; 2], row: f64) -> f64 {
         if x > self.ends[0] { 0.0 } else { (self.height - y + 0.5 * row).clamp(0.0, row) }
     }
+}
+
+/// How much of some water lies on a top, by how far its mean is above that, metres.
+pub(super) fn lying(above: f64, spacing: f64) -> f64 {
+    (above / (LIES_ON * spacing)).clamp(0.0, 1.0)
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use std::mem::take;
 
-use super::crest::LIES_ON;
+use super::crest::lying;
 use super::exchange::Exchange;
 use super::faces::span;
 use super::ghost_part::GhostPart;
@@ -168,7 +168,7 @@ impl Filling<'_> {
                 let means = &exchange.means[block];
                 let [x, y] = [means.x[lane] - ghosts.x[under], means.y[lane] - ghosts.y[under]];
                 let above = -nx * x - ny * y - ghosts.distance[under];
-                (above / (LIES_ON * exchange.rules.spacing)).clamp(0.0, 1.0)
+                lying(above, exchange.rules.spacing)
             }
             _ => 0.0,
         };

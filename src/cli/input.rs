@@ -85,6 +85,13 @@ pub(super) struct Wanted {
     help: &'static str,
 }
 
+impl Wanted {
+    /// What to give.
+    pub(super) fn told(self) -> String {
+        format!("give {}{}", self.file, self.help)
+    }
+}
+
 /// A sweep or scene file.
 pub(super) const STUDY: Wanted =
     Wanted { file: "a sweep or scene file", help: " (`seawall init NAME` writes one)" };
@@ -104,15 +111,14 @@ pub(super) fn read(path: &Path, wanted: Wanted) -> Result<String, BadInput> {
 
 /// Why a file cannot be read, and what would be one.
 fn unreadable(path: &Path, error: &std::io::Error, wanted: Wanted) -> BadInput {
-    let Wanted { file, help } = wanted;
     let reason = if path.join(MANIFEST).is_file() {
         let told = named(path);
         format!("is the output directory of a study; `seawall status {told}` tells how it fares")
     } else if path.is_dir() {
         let such = named(&path.join("NAME.toml"));
-        format!("is a directory; give {file}, such as {such}")
+        format!("is a directory; give {}, such as {such}", wanted.file)
     } else {
-        format!("{}; give {file}{help}", in_words(error))
+        format!("{}; {}", in_words(error), wanted.told())
     };
     BadInput::of(path, reason)
 }

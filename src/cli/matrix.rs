@@ -66,9 +66,8 @@ pub(super) fn run(
     let name = args.file.as_ref().map_or_else(built_in, |path| named(path));
     let told = |error| BadInput(format!("{name}: {error}"));
     if is_of_study(&text) {
-        let told =
-            "is a sweep or scene file; give a file of cases and methods, or none: one is built in";
-        return Err(BadInput(format!("{name}: {told}")).into());
+        let told = format!("{name}: is a sweep or scene file; {}", MATRIX.told());
+        return Err(BadInput(told).into());
     }
     let whole = Matrix::read(&text).map_err(told)?;
     let matrix = whole.only(&args.cases, &args.methods).map_err(told)?;

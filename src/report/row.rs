@@ -128,8 +128,8 @@ impl Row {
         self.text(flag) == "true"
     }
 
-    /// Of the columns of a first impact and of the whole run the one that is told: the latter where there was no
-    /// first impact, and where waves are regular, as each wave comes onto what the ones before have left.
+    /// Which of two columns is told, that of the first impact or that of the whole run. The whole run counts where there
+    /// was no first impact. It counts for regular waves, too: each comes onto what the ones before have left.
     pub fn impact(&self, first: &'static Column, whole: &'static Column) -> &'static Column {
         if self.regular || self.number(first).is_none() { whole } else { first }
     }
