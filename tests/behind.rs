@@ -133,7 +133,8 @@ fn what_goes_over_lies_on_the_floor() {
     let by_and_by: f64 = last.iter().map(counted).sum();
     println!("{by_and_by} m² as the discharge counts it");
     assert!((passed / by_and_by - 1.0).abs() < 0.002 && (by_and_by / volume - 1.0).abs() < 0.02);
-    assert!(case.outcome.energy_gap_percent.abs() < 3.0);
+    // The story: ghosts that went along with the water made 2.6 % more of it.
+    assert!(case.outcome.energy_gap_percent.abs() < 1.0);
 }
 
 /// Until water could come back over, the front cannot tell a floor or a basin from an outflow.
@@ -148,17 +149,17 @@ fn the_front_feels_nothing_of_what_is_behind() {
     ] {
         let kept = computed(&(wave.clone() + &behind));
         let table = kept.probes.as_ref().unwrap();
-        let dry = table.rows().take_while(|(_, row)| row[0].abs() < 1e-9).count();
+        // As water comes to the back an outflow's back is pressed, and counts.
+        let dry = table.rows().take_while(|(_, row)| row[1].abs() < 1e-9).count();
         let rows = outflow.history.iter().zip(&kept.history);
         let off = |(a, b): (&HistoryRow, &HistoryRow)| (a.force - b.force).abs();
         let before = rows.clone().take(dry).map(off).fold(0.0, f64::max);
-        // Of an outflow the back counts, too.
         let force = rows.clone().map(off).fold(0.0, f64::max);
         let runup = rows.map(|(a, b)| (a.runup - b.runup).abs()).fold(0.0, f64::max);
         let [a, b] = [&outflow, &kept].map(|case| case.outcome.overtopped.unwrap());
         println!("{behind}: F* off by {before}, then {force}, R* by {runup}");
         println!("{} and {} m² over", a.volume_m2, b.volume_m2);
-        assert!(before < 0.01 && force < 0.1 && runup < 0.02, "{before} {force} {runup}");
+        assert!(before < 1e-3 && force < 0.1 && runup < 0.02, "{before} {force} {runup}");
         assert!((b.thickness_max_m / a.thickness_max_m - 1.0).abs() < 0.01);
         assert!((b.speed_max_m_per_s.unwrap() / a.speed_max_m_per_s.unwrap() - 1.0).abs() < 0.05);
         assert!((b.volume_m2 / a.volume_m2 - 1.0).abs() < 0.05);

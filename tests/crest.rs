@@ -76,6 +76,21 @@ fn water_that_passes_the_edge_is_not_pushed_back() {
     assert!((0.92..0.97).contains(&(low / endless)), "{low} and {endless}");
 }
 
+/// The story: water before the wall seemed to run into ghosts under the top, which went along with the water over it. So
+/// it crowded there by 4 to 14 %, the budget missed a quarter of the energy, and face and force were 3 % apart.
+#[test]
+fn water_does_not_crowd_before_a_crest() {
+    let train = "tank_length_m = 2\nend_time_s = 12\nwave_height_ratio = 0.15\npaddle = \"wave-train\"\n\
+                 wave_period_s = 1\n";
+    let single = "tank_length_m = 2\nwave_height_ratio = 0.5\nend_after_stroke_centre_s = 2\n";
+    for (waves, freeboard, most) in [(train, 0.02, [8.0, 1.5]), (single, 0.12, [0.5, 1.5])] {
+        let case = computed(&(waves.to_owned() + &crest(freeboard)), "normalized");
+        let found = [case.outcome.energy_gap_percent, case.outcome.force_max_gap_percent];
+        println!("gaps of the energy and of the force: {found:?} %");
+        assert!(found.iter().zip(most).all(|(found, most)| found.abs() < most), "{found:?}");
+    }
+}
+
 /// The story: within a support radius of the top the room above it counted as missing water, and the level read up
 /// to 8 % low. A wave that stays a spacing below the top climbs as before an endless wall.
 #[test]
@@ -142,7 +157,7 @@ fn what_goes_over_is_what_the_tank_has_lost() {
     assert!(reading(&case, "water_gap").abs() < 1e-9, "{}", reading(&case, "water_gap"));
     assert!(reading(&case, "particles_taken_away") > 40.0);
     println!("energy gap {} %", case.outcome.energy_gap_percent);
-    assert!(case.outcome.energy_gap_percent.abs() < 2.0);
+    assert!(case.outcome.energy_gap_percent.abs() < 1.0);
     assert!(case.energy.outflow > 0.0 && case.outcome.particles_lost == 0);
     // The series ends with the total, and discharge adds up to it.
     let columns = table.columns.len();

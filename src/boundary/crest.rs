@@ -96,6 +96,17 @@ impl Crest {
         if beside <= 0.0 { high } else { high * (1.0 + 2.0 * over / beside).clamp(0.0, 1.0) }
     }
 
+    /// How far water has come to the crest, from how wet the face is at some heights, metres. A support radius below it
+    /// nothing counts, and what is nearer counts more.
+    pub(super) fn reached(&self, face: impl Iterator<Item = [f64; 2]>) -> f64 {
+        let near = |height: f64| 1.0 - (self.height - height) / self.reach;
+        let points = face.map(|[height, wet]| [near(height), wet]);
+        let points = points.filter(|[near, _]| (0.0..=1.0).contains(near));
+        let add = |[sum, all]: [f64; 2], [near, wet]: [f64; 2]| [sum + near * wet, all + near];
+        let [sum, all] = points.fold([0.0; 2], add);
+        if all > 0.0 { sum / all } else { 0.0 }
+    }
+
     /// How much of a row of the face, metres high, around a point of it lies below the top.
     pub(super) fn below(&self, [x, y]: [f64; 2], row: f64) -> f64 {
         if x > self.ends[0] { 0.0 } else { (self.height - y + 0.5 * row).clamp(0.0, row) }
@@ -143,6 +154,21 @@ mod tests {
         }
         let far = [1.0 + 1.5 * radius, 0.3 + 0.5 * spacing];
         assert_eq!(carried(far, &|_, y| y > 0.0 && y < 1.5 * spacing), 1.0);
+    }
+
+    #[test]
+    fn water_comes_to_a_crest_by_and_by() {
+        let shape = CrestShape { height: 0.3, width: 0.2, floor: None };
+        let layout = TankLayout::plain(1.0, 0.8, Some(shape));
+        let face = Plane { point: [1.0, 0.0], normal: [1.0, 0.0] };
+        let crest = Crest::of(shape, &layout, face, None);
+        let reached = |level: f64| {
+            let heights = (0..80).map(|row| 0.005 + 0.01 * f64::from(row));
+            crest.reached(heights.map(|y| [y, f64::from(u8::from(y < level))]))
+        };
+        assert_eq!([0.0, 0.3 - crest.reach, 0.3, 0.5].map(reached), [0.0, 0.0, 1.0, 1.0]);
+        let rising = [0.21, 0.23, 0.25, 0.27, 0.29].map(reached);
+        assert!(rising.is_sorted() && rising[0] < 0.1 && rising[4] > 0.8, "{rising:?}");
     }
 
     /// A gauge at an upright face stood on its top: at the end wall it read 0.8 m of water on a dry floor.

@@ -47,8 +47,8 @@ pub struct Exchange {
     /// Change of each ghost's pressure per acceleration of its wall, Pa/(m/s²), times its
     /// correction: xx, xy, yy.
     pub(super) responses: Vec<[f64; 3]>,
-    /// Where the bed gives back what it does.
-    pub(super) giving: Option<Giving>,
+    /// Bodies that give back what they do.
+    pub(super) giving: Vec<Giving>,
 }
 
 impl Exchange {
@@ -78,7 +78,7 @@ impl Exchange {
             means: vec![Means::default(); targets / LANES],
             wetness: vec![0.0; targets],
             responses: vec![[0.0; 3]; ghosts.len()],
-            giving: Giving::of(&rules, ghosts),
+            giving: Giving::all(&rules, ghosts),
         };
         if rules.bed_between_walls {
             exchange.complete_walls(ghosts);
@@ -137,8 +137,9 @@ impl Exchange {
         }
         let bounds = PointSet::EVERYWHERE;
         let set = PointSet { strips, x, y, offset: 0.0, first: 0, reach, bounds };
-        if let Some(giving) = &mut self.giving {
-            giving.rebuild(path, rules, (ghosts, bodies[0].offset), &set);
+        for giving in &mut self.giving {
+            let offset = bodies[giving.place.number()].offset;
+            giving.rebuild(path, rules, (ghosts, offset), &set);
         }
         let targets = [&*target_x, &*target_y];
         let ranges = team::cut(target_x.len() / LANES, parts.len());

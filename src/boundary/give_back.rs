@@ -1,10 +1,10 @@
-//! The steps of a bed that gives back what work it does: see `giving.rs`.
+//! The steps of bodies that give back what work they do: see `giving.rs`.
 
 use super::alongside::Alongside;
 use super::exchange::Exchange;
 use super::ghosts::Ghosts;
 use super::giving::Giving;
-use crate::body::BodyMotion;
+use crate::body::{BodyMotion, Place};
 use crate::math::simd::{LANES, Lanes, SimdPath, Task, dispatch};
 use crate::pairs::{Factors, Flow, Record};
 
@@ -23,13 +23,13 @@ impl Task for GiveBack<'_> {
     #[inline(always)]
     fn run<L: Lanes>(self) {
         let GiveBack { exchange, giving, bodies, velocities: [u, v], given } = self;
-        let [along, up] = &giving.fluxes;
         for part in &exchange.parts {
             for &block in part.among(giving.blocks(&exchange.counting)) {
                 let (row, image) = (block as usize, &exchange.images[block as usize]);
-                let [beside_u, beside_v] = giving.alongside.velocity::<L>(row, bodies);
-                let along = run_in(along.of(row), u, beside_u);
-                let up = run_in(up.of(row), v, beside_v);
+                let ([along, up], [beside_u, beside_v]) =
+                    (giving.fluxes_of(row), giving.beside::<L>(row, bodies));
+                let along = run_in(along, u, beside_u);
+                let up = run_in(up, v, beside_v);
                 // A pressure that is held at its lowest is not the water's.
                 let (zero, pressure) = (L::splat(0.0), L::load(&image.pressure));
                 let mut flux = along + up;
@@ -37,7 +37,7 @@ impl Task for GiveBack<'_> {
                     flux = flux - giving.smooth.covered(row, &exchange.means[row]);
                 }
                 let flux = L::load(&image.lowest).select_less(pressure, flux, zero);
-                let flux = flux * L::load(&exchange.scale[row]);
+                let flux = flux * L::load(&exchange.scale[row]) * L::splat(giving.share);
                 let (entries, weights) = part.held.of(row - part.blocks.start);
                 for (&k, weight) in entries.iter().zip(weights) {
                     given[k as usize] += (L::load(weight) * flux).sum();
@@ -74,7 +74,7 @@ impl Task for Relative<'_> {
         let ((factors, _), zero) = (factors.as_chunks_mut::<LANES>(), L::splat(0.0));
         for &block in giving.blocks(&exchange.counting) {
             let (row, image) = (block as usize, &exchange.images[block as usize]);
-            let [u, v] = giving.alongside.velocity::<L>(row, bodies);
+            let [u, v] = giving.beside::<L>(row, bodies);
             let velocity = [L::load(&image.velocity[0]) - u, L::load(&image.velocity[1]) - v];
             let place = [L::load(&image.place[0]), L::load(&image.place[1])];
             L::store_records(flow.numbers(velocity, place, [zero, zero]), &mut factors[row]);
@@ -112,27 +112,64 @@ impl Task for HandBack<'_> {
     }
 }
 
+/// What the water hears of a body that gives back.
+pub struct Gives<'a> {
+    /// Number of its ghosts among the groups of neighbours.
+    pub group: usize,
+    /// How much it gives back of what it does.
+    pub share: f64,
+    /// How it goes with walls beside it that move.
+    pub alongside: Option<&'a Alongside>,
+}
+
 impl Exchange {
-    /// How the bed's ghosts go with walls beside them; `None` where it does not give back what it does.
-    pub fn alongside(&self) -> Option<&Alongside> {
-        Some(&self.giving.as_ref()?.alongside)
+    /// The bodies that give back what they do now.
+    pub fn gives(&self) -> Vec<Gives<'_>> {
+        let giving = self.giving.iter().filter(|giving| giving.share > 0.0);
+        giving
+            .map(|Giving { place, share, alongside, .. }| Gives {
+                group: place.number() + 1,
+                share: *share,
+                alongside: alongside.as_ref(),
+            })
+            .collect()
     }
 
-    /// Finds how water runs into the ghosts of the bed, for the steps until the next full one. The records are those of
-    /// the water, and of the ghosts alone.
+    /// Finds how water runs into the ghosts of bodies that give back, for the steps until the next full one. The records
+    /// are those of the water, and of the ghosts alone.
     pub fn find_fluxes(
         &mut self,
         path: SimdPath,
-        beds: (&Ghosts, &[BodyMotion]),
+        (ghosts, bodies): (&Ghosts, &[BodyMotion]),
         records: [&[Record]; 2],
     ) {
-        let Some(mut giving) = self.giving.take() else { return };
-        giving.find(path, &self.rules, beds, (&self.counting, &self.images), records);
-        self.giving = Some(giving);
+        let mut all = std::mem::take(&mut self.giving);
+        for giving in &mut all {
+            giving.share = self.share_given(giving.place, ghosts, records[1]);
+            if giving.share > 0.0 {
+                let counting = (&*self.counting, &*self.images);
+                giving.find(path, &self.rules, (ghosts, bodies), counting, records);
+            }
+        }
+        self.giving = all;
     }
 
-    /// Finds the volume per second that each particle gives to the bed's ghosts, m²/s, from velocities along x and y.
-    /// The ghosts' velocities relative to the walls beside go into `factors`, their numbers as neighbours.
+    /// How much a body gives back. A wall with a crest does as far as water is at its crest.
+    fn share_given(&self, place: Place, ghosts: &Ghosts, records: &[Record]) -> f64 {
+        let Some(crest) = ghosts.crest.as_ref().filter(|_| place == Place::Right) else {
+            return 1.0;
+        };
+        let body = &ghosts.bodies[place.number()];
+        let on_face = body.faces.clone().filter(|&face| ghosts.target_x[face] <= crest.ends[0]);
+        let on_face = on_face.map(|it| [ghosts.target_y[it], self.wet_share(place.number(), it)]);
+        let whole = self.rules.scaling.weight_per_volume;
+        let on_top = body.ghosts.clone().filter(|&g| ghosts.is_deep(g) && ghosts.volume[g] > 0.0);
+        let on_top = on_top.map(|g| records[g].0[Record::WEIGHT] / (ghosts.volume[g] * whole));
+        on_top.fold(crest.reached(on_face), f64::max)
+    }
+
+    /// Finds the volume per second that each particle gives to the ghosts, m²/s, from velocities along x and y.
+    /// The velocities of ghosts relative to walls beside them go into `factors`, their numbers as neighbours.
     pub fn give_back(
         &self,
         path: SimdPath,
@@ -141,16 +178,20 @@ impl Exchange {
         given: &mut [f64],
         (flow, factors): (Flow, &mut [Factors]),
     ) {
-        let Some(giving) = &self.giving else { return };
         given.fill(0.0);
-        dispatch(path, GiveBack { exchange: self, giving, bodies, velocities, given });
-        dispatch(path, Relative { exchange: self, giving, bodies, flow, factors });
+        for giving in self.giving.iter().filter(|giving| giving.share > 0.0) {
+            let (given, factors) = (&mut *given, &mut *factors);
+            dispatch(path, GiveBack { exchange: self, giving, bodies, velocities, given });
+            if giving.alongside.is_some() {
+                dispatch(path, Relative { exchange: self, giving, bodies, flow, factors });
+            }
+        }
     }
 
     /// Adds to the water's accelerations, m/s², what it gets back of the ghosts' pushes along the bed. Masses per metre
     /// of width, kg/m.
     pub fn hand_back(&self, path: SimdPath, mass: &[f64], accelerations: [&mut [f64]; 2]) {
-        if let Some(giving) = self.giving.as_ref().filter(|giving| giving.smooth.is_on()) {
+        if let Some(giving) = self.giving.iter().find(|giving| giving.smooth.is_on()) {
             dispatch(path, HandBack { exchange: self, giving, mass, accelerations });
         }
     }

@@ -1,4 +1,4 @@
-//! A bed that neither takes energy out of the water nor puts any in.
+//! Ghosts that neither take energy out of the water nor put any in: those of a bed, or of a wall that ends in a crest.
 //!
 //! A ghost has the pressure p_g = Σ_k w_k p_k of the water around its mirror point. Pressing on the water it does
 //! the work -p_g D_g per second,
@@ -9,9 +9,10 @@
 //! the rate at which water runs into the ghost. That work is the water's own, so it gives it back: volume D_g is taken
 //! from the water around the mirror point, w_k D_g from each particle. This takes the place of the ghosts' velocities
 //! in the continuity equation. Beside a straight face both are alike. At an edge the flow is no mirror image of
-//! itself: there the velocities take energy on the way in and make as much again on the way out. Beside a wall that
-//! moves velocities are relative to it: see `alongside.rs`. At the edge of the water they are relative to the water's own:
-//! see `smooth.rs`.
+//! itself: there the velocities take energy on the way in and make as much again on the way out. Where water goes over a
+//! crest it does not come back. Then water before the wall seems to run into the ghosts under the top, its pressure
+//! sinks, and its particles crowd. At a bed beside a wall that moves velocities are relative to the wall: see
+//! `alongside.rs`. At the edge of the water they are relative to the water's own: see `smooth.rs`.
 
 use std::marker::PhantomData;
 
@@ -26,23 +27,43 @@ use crate::math::simd::{LANES, Lanes, SimdPath, Task, dispatch};
 use crate::pairs::{HeldWeights, PairList, PointSet, Record, build_pair_list};
 use crate::with_kernel;
 
-/// The water around the ghosts of the bed themselves, not around their mirror points.
-#[derive(Debug, Clone, Default)]
+/// The water around the ghosts of one body themselves, not around their mirror points.
+#[derive(Debug, Clone)]
 pub(super) struct Giving {
+    /// The body.
+    pub place: Place,
+    /// The first of its blocks.
+    first: usize,
+    /// How much of its work it gives back. For the rest its ghosts have velocities.
+    pub share: f64,
     list: PairList,
-    /// V_g V_i L_g ∇W_ig, its parts along x and up, m.
-    pub fluxes: [HeldWeights; 2],
-    pub alongside: Alongside,
+    /// V_g V_i L_g ∇W_ig, its parts along x and up, m, of its blocks.
+    fluxes: [HeldWeights; 2],
+    /// How a bed goes with walls that move. No other body has any beside it.
+    pub alongside: Option<Alongside>,
     pub smooth: Smooth,
 }
 
 impl Giving {
-    /// Only a bed that is not level gives back.
-    pub fn of(rules: &ExchangeRules, ghosts: &Ghosts) -> Option<Giving> {
-        (rules.conservative_bed && ghosts.profile.is_some()).then(Giving::default)
+    /// A bed that is not level may give back, and a wall that ends in a crest with what is behind it.
+    pub fn all(rules: &ExchangeRules, ghosts: &Ghosts) -> Vec<Giving> {
+        let bed = rules.conservative_bed && ghosts.profile.is_some();
+        let wall = rules.conservative_crest && ghosts.crest.is_some();
+        let behind = wall && ghosts.keeps_behind();
+        let all = [(Place::Bed, bed), (Place::Right, wall), (Place::Behind, behind)];
+        let of = |(place, _): (Place, bool)| Giving {
+            place,
+            first: ghosts.bodies[place.number()].ghosts.start / LANES,
+            share: 1.0,
+            list: PairList::default(),
+            fluxes: Default::default(),
+            alongside: (place == Place::Bed).then(Alongside::default),
+            smooth: Smooth::default(),
+        };
+        all.into_iter().filter(|(_, gives)| *gives).map(of).collect()
     }
 
-    /// Lists the fluid around every ghost of the bed; `offset` is the bed's, and the set's reach in metres.
+    /// Lists the fluid around every ghost; `offset` is the body's, and the set's reach in metres.
     pub fn rebuild(
         &mut self,
         path: SimdPath,
@@ -50,14 +71,16 @@ impl Giving {
         (ghosts, offset): (&Ghosts, f64),
         fluid: &PointSet<'_>,
     ) {
-        self.smooth.prepare(path, rules, ghosts);
-        let bed = ghosts.bodies[Place::Bed.number()].ghosts.clone();
-        let x: Vec<f64> = ghosts.x[bed.clone()].iter().map(|x| x + offset).collect();
-        build_pair_list(path, &x, &ghosts.y[bed], &[*fluid], &mut self.list);
+        if self.place == Place::Bed {
+            self.smooth.prepare(path, rules, ghosts);
+        }
+        let own = ghosts.bodies[self.place.number()].ghosts.clone();
+        let x: Vec<f64> = ghosts.x[own.clone()].iter().map(|x| x + offset).collect();
+        build_pair_list(path, &x, &ghosts.y[own], &[*fluid], &mut self.list);
         self.fluxes.iter_mut().for_each(|flux| flux.make_room(&self.list));
     }
 
-    /// Finds how water runs into the bed's ghosts of some blocks that count. The records are those of the water, and of
+    /// Finds how water runs into its ghosts, of the blocks that count. The records are those of the water, and of
     /// the ghosts alone.
     pub fn find(
         &mut self,
@@ -69,12 +92,15 @@ impl Giving {
     ) {
         let weight_per_volume = rules.scaling.weight_per_volume;
         let reach = rules.scaling.support_radius;
-        let blocks = &counting[..self.bed_blocks(counting)];
+        let blocks = self.blocks(counting);
         let walls = WALLS
             .map(|place| ghosts.bodies[place.number()].plane.moved(bodies[place.number()].offset));
-        self.alongside.find((ghosts, &walls), bodies[0].offset, reach, blocks);
+        if let Some(alongside) = &mut self.alongside {
+            alongside.find((ghosts, &walls), bodies[0].offset, reach, blocks);
+        }
         with_kernel!(rules.kernel, K => dispatch(path, Flux::<K> {
             blocks,
+            first: self.first,
             list: &self.list,
             fluxes: &mut self.fluxes,
             images,
@@ -95,14 +121,22 @@ impl Giving {
         }
     }
 
-    /// How many of the blocks that count are the bed's: they come first.
-    fn bed_blocks(&self, counting: &[u32]) -> usize {
-        counting.partition_point(|&block| (block as usize) < self.list.clusters())
+    /// Its blocks of those that count.
+    pub fn blocks<'a>(&self, counting: &'a [u32]) -> &'a [u32] {
+        let before = |end: usize| counting.partition_point(|&block| (block as usize) < end);
+        &counting[before(self.first)..before(self.first + self.list.clusters())]
     }
 
-    /// The bed's blocks of those that count.
-    pub fn blocks<'a>(&self, counting: &'a [u32]) -> &'a [u32] {
-        &counting[..self.bed_blocks(counting)]
+    /// Of a block, by its number among all: the water around, and V_g V_i L_g ∇W_ig along x and up, m.
+    pub fn fluxes_of(&self, block: usize) -> [(&[u32], &[[f64; LANES]]); 2] {
+        self.fluxes.each_ref().map(|flux| flux.of(block - self.first))
+    }
+
+    /// The velocity that the body's ghosts are seen from at a block, m/s.
+    #[inline(always)]
+    pub fn beside<L: Lanes>(&self, block: usize, bodies: &[BodyMotion]) -> [L; 2] {
+        let still = [L::splat(0.0); 2];
+        self.alongside.as_ref().map_or(still, |it| it.velocity(block - self.first, bodies))
     }
 }
 
@@ -116,6 +150,8 @@ struct Flux<'a, K> {
     list: &'a PairList,
     fluxes: &'a mut [HeldWeights; 2],
     blocks: &'a [u32],
+    /// Of all blocks, the one that lists and fluxes begin with.
+    first: usize,
     images: &'a [Image],
     /// Of the water, and of the ghosts alone.
     records: [&'a [Record]; 2],
@@ -128,15 +164,15 @@ impl<K: Kernel> Task for Flux<'_, K> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        let Flux { list, fluxes: [along, up], blocks, images, .. } = self;
+        let Flux { list, fluxes: [along, up], blocks, first, images, .. } = self;
         let [water, ghosts] = self.records;
         let mut end = 0;
         for &block in blocks {
-            let row = block as usize;
-            let image = &images[row];
+            let row = block as usize - first;
+            let image = &images[block as usize];
             let [x, y] = [L::load(&image.place[0]), L::load(&image.place[1])];
             let [xx, xy, yy] = [0, 1, 2].map(|part| L::load(&image.correction[part]));
-            let volume = L::load(&weights(ghosts, row)) * L::splat(1.0 / self.weight_per_volume);
+            let volume = L::load(&weights(ghosts, block as usize)) * L::splat(1.0 / self.weight_per_volume);
             along.take(row, list.group(row, 0), [x, y], water, end);
             end = up.take(row, list.group(row, 0), [x, y], water, end);
             let (entries, along) = along.room(row);

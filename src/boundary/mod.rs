@@ -43,7 +43,7 @@ mod wall;
 mod waterline;
 mod weighing;
 
-pub use alongside::Alongside;
+pub use give_back::Gives;
 pub use closed_box::{box_ghosts, no_ghosts};
 pub use crest::Crest;
 pub use exchange::Exchange;

@@ -34,6 +34,8 @@ pub struct ExchangeRules {
     pub bed_between_walls: bool,
     /// The bed gives back to the water what work it does on it: see `giving.rs`.
     pub conservative_bed: bool,
+    /// So does a wall that ends in a crest, with what is behind it.
+    pub conservative_crest: bool,
 }
 
 /// The targets of a part, its list and its blocks, among some blocks.

@@ -163,6 +163,9 @@ section! {
         /// from 1:5 on. So have shores no steeper than 1:2, for trains and in runs of more than 200 √(h/g). A level
         /// bed does not read it.
         conservative_bed: bool = false, weakly(plain()).newer();
+        /// A wall that ends in a crest gives back what work its pressure does while water is at the crest, and what is
+        /// behind it does so all the time. Walls with a crest have it by default. Others do not read it.
+        conservative_crest: bool = false, weakly(plain()).newer();
         /// How long the water is let come to rest before the clock starts, slowed down over a sixth of that time. Beds that
         /// come out of the still water have 40 √(h/g) by default. It is for seawalls.
         relaxation_time_s: f64 = 0.0, weakly(unit("s").within(0.0, 1e4)).newer();

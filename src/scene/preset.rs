@@ -199,6 +199,7 @@ impl Numerics {
             // Water creeps along walls that waves go on meeting, and along slopes; over a crest energy would be made.
             self.boundary = BoundaryChoice::Normalized;
         }
+        self.conservative_crest = scene.has_crested_wall();
         if scene.has_train() || scene.stirs_at_shore(particle_spacing) || again {
             // Its volumes must be held where water that is stirred has the time to sink through itself.
             self.shifting = Shifting::Deep;

@@ -47,6 +47,7 @@ impl Filling {
             shifting_coefficient: numerics.shifting_coefficient,
             volume_feedback: numerics.volume_feedback,
             conservative_bed: numerics.conservative_bed,
+            conservative_crest: numerics.conservative_crest,
             surface_relief: numerics.surface_relief && frame.gravity > 0.0,
             bulk_damping: numerics.bulk_damping,
             acoustic_substeps: numerics.acoustic_substeps,

@@ -104,6 +104,7 @@ impl Basin {
                 no_slip: false,
                 bed_between_walls: true,
                 conservative_bed: false,
+                conservative_crest: false,
             },
             ghosts: tank_ghosts(&layout, None, STRIP),
             bodies,

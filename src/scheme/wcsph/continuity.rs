@@ -5,14 +5,13 @@
 //!           + D_i                                   density diffusion
 //! ```
 //! L is that of the momentum equation, whose adjoint this form is: together they conserve energy. Ghosts
-//! take part in the divergence, not in the diffusion: no density flows through a wall. Those of a bed that
+//! take part in the divergence, not in the diffusion: no density flows through a wall. Those of a body that
 //! gives back (`boundary/giving.rs`) have no velocity here, and in place of it what they give.
 
 use super::Workspace;
 use super::correction::surface_share;
 use super::diffusion::Diffusion;
-use crate::body::Place;
-use crate::boundary::Alongside;
+use crate::boundary::Gives;
 use crate::pairs::{Double, Factors, Flow, FlowSums, Fluid, Held, HeldEquation, Here, Own};
 
 /// The rows that the equation writes: the strain; the rates of change of density, the sums of g times
@@ -32,9 +31,9 @@ pub(super) struct Continuity<'a, D> {
     /// δ h c0 / R.
     pub diffusion: f64,
     pub bodies: usize,
-    /// Where the bed gives back to the water what work it does on it: how that goes with walls that move.
-    pub bed_gives: Option<&'a Alongside>,
-    /// Its ghosts' numbers, with their velocities relative to those of the water beside a wall.
+    /// The bodies that give back to the water what work they do on it.
+    pub gives: &'a [Gives<'a>],
+    /// The numbers of a bed's ghosts, with their velocities relative to those of the water beside a wall.
     pub of_bed: &'a [Factors],
     pub support_radius: f64,
     /// See [`super::correction::first_row_share`].
@@ -63,8 +62,8 @@ impl<F: Diffusion> HeldEquation<Rows<'_>> for Continuity<'_, F> {
         }
         let diffusion = self.formulation.faded(here, diffusion * D::splat(self.diffusion));
         let mut divergence = self.divergence(here, &sums, strain, turning);
-        if let Some(alongside) = self.bed_gives {
-            divergence += self.given_by_bed(here, held, alongside);
+        if !self.gives.is_empty() {
+            divergence += self.given(here, held);
         }
         here.put(rate, density.mul_add(divergence, diffusion));
         if self.sample {
@@ -118,21 +117,26 @@ impl<F: Diffusion> Continuity<'_, F> {
         xx.mul_add(u_x, yy * v_y) + xy * sums.aslant(own)
     }
 
-    /// What the bed gives, less what the velocities of its ghosts have put into the divergence. Within the support
-    /// radius of a wall water goes along with it.
+    /// What ghosts give, less what their velocities have put into the divergence. Over a bed water within the support
+    /// radius of a wall goes along with it.
     #[inline(always)]
-    fn given_by_bed<D: Double>(&self, here: Here, held: &Held<'_, '_>, alongside: &Alongside) -> D {
+    fn given<D: Double>(&self, here: Here, held: &Held<'_, '_>) -> D {
         let (work, zero) = (self.work, D::splat(0.0));
-        let group = Place::Bed.number() + 1;
         let place = here.all::<D, 2>([&work.scaled_x, &work.scaled_y]);
         let own = Own { place, velocity: [zero; 2], gradient: [zero; 2] };
-        let put_in = |factors: &[Factors]| {
-            self.contracted(here, &held.flow::<D>(self.flow, factors, group..=group), &own)
-        };
-        let mut of_velocities = put_in(self.factors);
-        let (before, one) = (zero - alongside.beyond(place), D::splat(1.0));
-        if before.any_less(one) {
-            of_velocities = before.select_less(one, put_in(self.of_bed), of_velocities);
+        let mut of_velocities = zero;
+        for Gives { group, share, alongside } in self.gives {
+            let put_in = |factors: &[Factors]| {
+                self.contracted(here, &held.flow::<D>(self.flow, factors, *group..=*group), &own)
+            };
+            let mut of_body = put_in(self.factors);
+            if let Some(alongside) = alongside {
+                let (before, one) = (zero - alongside.beyond(place), D::splat(1.0));
+                if before.any_less(one) {
+                    of_body = before.select_less(one, put_in(self.of_bed), of_body);
+                }
+            }
+            of_velocities += of_body * D::splat(*share);
         }
         let given = here.of::<D>(&work.given) * here.of(&self.fluid.density);
         // Padding has no mass.

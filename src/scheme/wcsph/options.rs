@@ -83,6 +83,8 @@ pub struct WcsphOptions {
     pub volume_feedback: f64,
     /// The bed gives back to the water what work it does on it.
     pub conservative_bed: bool,
+    /// So does a wall that ends in a crest, with what is behind it.
+    pub conservative_crest: bool,
     /// Whether water near the surface gives up pressure that it cannot have.
     pub surface_relief: bool,
     /// γ of the pressure's lead, in time steps.

@@ -150,6 +150,7 @@ impl Wcsph {
             no_slip,
             bed_between_walls: true,
             conservative_bed: options.conservative_bed,
+            conservative_crest: options.conservative_crest,
         }
     }
 
