@@ -172,7 +172,8 @@ impl<K: Kernel> Task for Flux<'_, K> {
             let image = &images[block as usize];
             let [x, y] = [L::load(&image.place[0]), L::load(&image.place[1])];
             let [xx, xy, yy] = [0, 1, 2].map(|part| L::load(&image.correction[part]));
-            let volume = L::load(&weights(ghosts, block as usize)) * L::splat(1.0 / self.weight_per_volume);
+            let volume =
+                L::load(&weights(ghosts, block as usize)) * L::splat(1.0 / self.weight_per_volume);
             along.take(row, list.group(row, 0), [x, y], water, end);
             end = up.take(row, list.group(row, 0), [x, y], water, end);
             let (entries, along) = along.room(row);

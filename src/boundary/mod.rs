@@ -43,11 +43,11 @@ mod wall;
 mod waterline;
 mod weighing;
 
-pub use give_back::Gives;
 pub use closed_box::{box_ghosts, no_ghosts};
 pub use crest::Crest;
 pub use exchange::Exchange;
 pub use ghosts::{BodySites, GhostBody, Ghosts, Reflection, Site};
+pub use give_back::Gives;
 pub use image::Image;
 pub use layout::{CrestShape, FloorBehind, TankLayout};
 pub use plane::Plane;

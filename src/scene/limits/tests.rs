@@ -15,7 +15,7 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
     let crest =
         "tank_length_m = 2\nbehind = \"outflow\"\ncrest_freeboard_m = 0.1\ncrest_width_m = 0.1";
     assert_eq!(count(crest, ""), 0);
-    assert_eq!(count(crest, "boundary = \"improved-shepard\""), 1);
+    assert_eq!(count(crest, "conservative_crest = false"), 1);
     let few_rows = limits(&CaseConfig::of(crest, "particle_spacing_m = 0.0125"));
     assert!(
         few_rows.len() == 1 && few_rows[0].contains("volumes of 0.1 to 0.5 h²"),
