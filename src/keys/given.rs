@@ -6,7 +6,7 @@ use toml::Table;
 
 use super::error::ConfigError;
 use super::rule::When;
-use super::section::Section;
+use super::section::{self, Section};
 
 /// Reads a table that stands by itself.
 ///
@@ -35,13 +35,14 @@ pub fn check_conditions<S: Section>(given: &Table, section: &S) -> Result<(), Co
         true => when.holds(given),
         false => when.holds(&complete),
     };
-    for key in S::keys() {
+    for key in S::KEYS.iter().chain(S::GROUPS.iter().copied().flatten()) {
         let path = || format!("{}.{}", S::NAME, key.name);
         let missed = key.rule.needed && !given.contains_key(key.name);
         if missed && key.applies(&complete) && !complete.contains_key(key.name) {
             return Err(key.missing(&path()));
         }
-        let Some((when, value)) = key.rule.only.zip(given.get(key.name)) else { continue };
+        let Some(when) = key.rule.only else { continue };
+        let Some(value) = section::given(given, key.name) else { continue };
         if !holds(&when) {
             return Err(ConfigError::new(&path(), value, format!("belongs to {when}")));
         }

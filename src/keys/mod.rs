@@ -29,6 +29,7 @@
 //! It is an `Option` there, and `Some` where the condition holds. A key that several groups would
 //! share stays with the section, `only` where one of them stands, and `needed` if it must be given.
 
+mod alike;
 mod error;
 mod given;
 mod given_file;
@@ -42,6 +43,7 @@ mod shared;
 mod shown;
 mod written;
 
+pub use alike::alike;
 pub use error::{ConfigError, brief, cut, hint};
 pub use given::{check_conditions, read_alone};
 pub use given_file::bytes_of;
@@ -50,7 +52,7 @@ pub use overrides::{Override, read_value};
 pub use rule::{Range, Rule, When, plain, unit};
 pub use schema::schema;
 pub(crate) use section::section;
-pub use section::{Section, stored, value, value_of};
+pub use section::{Section, given, stored, value, value_of};
 pub use shape::Shape;
 pub use shared::{Recent, Shared};
 pub use shown::{named, shown};

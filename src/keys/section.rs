@@ -45,6 +45,12 @@ pub trait Section: Sized {
         Self::KEYS.iter().chain(Self::GROUPS.iter().copied().flatten()).collect()
     }
 
+    /// Whether it has a key of this name.
+    fn has(name: &str) -> bool {
+        let groups = Self::GROUPS.iter().copied().flatten();
+        Self::KEYS.iter().chain(groups).any(|key| key.name == name)
+    }
+
     /// The section of an empty table.
     ///
     /// # Panics
@@ -185,6 +191,17 @@ macro_rules! section {
 }
 pub(crate) use section;
 
+/// Tables of so many entries are looked through: to hash a name takes longer.
+const FEW: usize = 12;
+
+/// What a table gives for a key.
+pub fn given<'a>(table: &'a Table, name: &str) -> Option<&'a Value> {
+    if table.len() > FEW {
+        return table.get(name);
+    }
+    table.iter().find(|(key, _)| *key == name).map(|(_, value)| value)
+}
+
 /// The value of a section's key, from its table or otherwise.
 pub fn value<T: DeserializeOwned>(
     section: &str,
@@ -193,7 +210,7 @@ pub fn value<T: DeserializeOwned>(
     otherwise: impl FnOnce() -> Option<T>,
 ) -> Result<T, ConfigError> {
     let path = || format!("{section}.{}", key.name);
-    let Some(value) = table.get(key.name) else {
+    let Some(value) = given(table, key.name) else {
         return otherwise().ok_or_else(|| key.missing(&path()));
     };
     let read = T::deserialize(whole(key, value).unwrap_or_else(|| value.clone()))

@@ -1,6 +1,6 @@
 //! The records of a study, filled from journal lines, with a look at the files of each case.
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
@@ -14,14 +14,14 @@ use super::record::{CaseRecord, HeldLine};
 use super::stamp::{CaseFiles, Stamps};
 use super::{files, journal};
 use crate::keys::named;
-use crate::study::{CaseId, Study};
+use crate::study::{CaseId, CaseMap, Study};
 
 /// Sorts journal lines into the order of the runs; a later line of the same run wins. Companions
 /// are known by their id: asking for other error bars renumbers them.
 pub(super) struct Filling<'a> {
     path: &'a Path,
     cases: usize,
-    places: HashMap<CaseId, usize>,
+    places: CaseMap<usize>,
     records: Vec<Option<CaseRecord>>,
     /// Where the files of each case are.
     left: Places,

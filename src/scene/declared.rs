@@ -25,6 +25,14 @@ impl Place {
             Place::Numerics => Numerics::NAME,
         }
     }
+
+    /// Whether it has a key, in a file with this kind of scene.
+    fn has(self, kind: Kind, name: &str) -> bool {
+        match self {
+            Place::Scene => OfKind::has(name) || kind.has(name),
+            Place::Numerics => Base::has(name) || Numerics::has(name),
+        }
+    }
 }
 
 /// The keys of a `[scene]` of this kind.
@@ -48,11 +56,10 @@ pub fn probe_keys() -> Vec<&'static Key> {
 /// A key that no section knows, with the nearest that one of them does; a kind that is none.
 pub fn place_of(key: &str, scene: &Table) -> Result<Place, ConfigError> {
     let kind = Kind::of(scene)?;
-    if has(&scene_keys(kind), key) {
-        return Ok(Place::Scene);
-    }
-    if has(&numerics_keys(), key) {
-        return Ok(Place::Numerics);
+    if let Some(place) =
+        [Place::Scene, Place::Numerics].into_iter().find(|place| place.has(kind, key))
+    {
+        return Ok(place);
     }
     let known = [scene_keys(kind), numerics_keys()].concat();
     Err(unknown(&format!("grid.{key}"), key, kind, &known))
@@ -76,30 +83,24 @@ pub(super) fn refuse_unknown(place: Place, kind: Kind, table: &Table) -> Result<
 }
 
 fn unknown_of(place: Place, kind: Kind, table: &Table) -> Vec<ConfigError> {
-    let (known, others, other) = match place {
-        Place::Scene => (scene_keys(kind), numerics_keys(), Place::Numerics),
-        Place::Numerics => (numerics_keys(), scene_keys(kind), Place::Scene),
-    };
-    if table.keys().all(|key| has(&known, key)) {
-        return Vec::new();
-    }
+    let unknown_here = |key: &&String| !place.has(kind, key);
     let error = |key: &String| {
         let path = format!("{}.{key}", place.name());
-        match has(&others, key) {
+        let (known, other) = match place {
+            Place::Scene => (scene_keys(kind), Place::Numerics),
+            Place::Numerics => (numerics_keys(), Place::Scene),
+        };
+        match other.has(kind, key) {
             true => ConfigError::misplaced(&path, &format!("{}.{key}", other.name())),
             false => unknown(&path, key, kind, &known),
         }
     };
-    table.keys().filter(|key| !has(&known, key)).map(error).collect()
-}
-
-fn has(keys: &[&Key], name: &str) -> bool {
-    keys.iter().any(|key| key.name == name)
+    table.keys().filter(unknown_here).map(error).collect()
 }
 
 /// The error of an unknown key: which other kinds of scenes have it, or what is near.
 fn unknown(path: &str, key: &str, kind: Kind, known: &[&Key]) -> ConfigError {
-    let others = Kind::ALL.iter().filter(|other| has(&other.keys(), key));
+    let others = Kind::ALL.iter().filter(|other| other.has(key));
     let names: Vec<_> = others.map(|other| format!("{:?}", other.name())).collect();
     if names.is_empty() {
         return ConfigError::unknown_in_table(path, known);

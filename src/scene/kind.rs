@@ -33,6 +33,11 @@ macro_rules! kinds {
                 match self { $(Kind::$kind => <$scene>::keys(),)* }
             }
 
+            /// Whether a scene of this kind has a key, `kind` itself left out.
+            pub(super) fn has(self, name: &str) -> bool {
+                match self { $(Kind::$kind => <$scene>::has(name),)* }
+            }
+
             /// Reads the `[scene]` table of such a scene, once it is known that it has all keys.
             pub(super) fn read(self, table: &Table) -> Result<Scene, ConfigError> {
                 match self {
@@ -130,6 +135,11 @@ impl Scene {
         let mut entries = vec![("kind", self.kind().into())];
         entries.extend(each!(self, scene => scene.entries()));
         entries
+    }
+
+    /// The same as a table.
+    pub fn table(&self) -> Table {
+        self.entries().into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
     }
 
     /// The value of a key but the kind, as a file would give it.

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
-use crate::keys::Shared;
+use crate::keys::{Shared, alike};
 use crate::scene::{CaseConfig, ErrorBars, Numerics, Scene};
 
 /// Part of every case's identity: raised by every change that alters the answer of any case, so
@@ -105,15 +105,36 @@ fn write_entry(key: &str, value: &impl Serialize, text: &mut String) {
     text.push(',');
 }
 
+/// An entry of a scene and its text.
+type Written = (&'static str, toml::Value, String);
+
+thread_local! {
+    /// The entries of the scene that came last on this thread: cases of a study differ in few.
+    static ENTRIES: RefCell<Vec<Written>> = const { RefCell::new(Vec::new()) };
+}
+
 /// The entry of a scene: its table need not be made first.
 fn write_scene(scene: &Scene, text: &mut String) {
     let mut entries = scene.entries();
     entries.sort_unstable_by_key(|(key, _)| *key);
     write_key("scene", text);
     text.push('{');
-    for (key, value) in &entries {
-        write_entry(key, value, text);
-    }
+    ENTRIES.with_borrow_mut(|last| {
+        for (place, (key, value)) in entries.into_iter().enumerate() {
+            let known = |(name, own, _): &&Written| *name == key && alike(own, &value);
+            if let Some((.., own)) = last.get(place).filter(known) {
+                text.push_str(own);
+                continue;
+            }
+            let mut own = String::new();
+            write_entry(key, &value, &mut own);
+            text.push_str(&own);
+            match last.get_mut(place) {
+                Some(there) => *there = (key, value, own),
+                None => last.push((key, value, own)),
+            }
+        }
+    });
     text.push_str("},");
 }
 

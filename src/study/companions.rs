@@ -4,10 +4,10 @@
 //! A companion is a run like any other: planned, branched from a trunk of its own, journalled,
 //! resumed. It is no row of the summary and leaves no history.
 
-use std::collections::HashMap;
 use std::f64::consts::SQRT_2;
 
 use super::case::{Case, CaseId};
+use super::case_map::CaseMap;
 use crate::keys::Recent;
 use crate::scene::{CaseConfig, ErrorBars};
 
@@ -32,8 +32,7 @@ fn ratios(bars: ErrorBars, config: &CaseConfig) -> &'static [f64] {
 /// of another. A companion too coarse for its depth is left out. So is one too coarse for the rest of its
 /// scene, such as a crest: the companion of a pair is then the nearer one.
 pub(super) fn plan(cases: &[Case], bars: &[ErrorBars]) -> (Vec<Case>, Vec<Vec<usize>>) {
-    let mut places: HashMap<CaseId, usize> =
-        cases.iter().map(|case| (case.id, case.index)).collect();
+    let mut places: CaseMap<usize> = cases.iter().map(|case| (case.id, case.index)).collect();
     let mut companions: Vec<Case> = Vec::new();
     let mut numerics = Recent::default();
     let mut of = Vec::with_capacity(cases.len());
@@ -59,7 +58,7 @@ pub(super) fn plan(cases: &[Case], bars: &[ErrorBars]) -> (Vec<Case>, Vec<Vec<us
 fn place(
     config: CaseConfig,
     case: &Case,
-    places: &mut HashMap<CaseId, usize>,
+    places: &mut CaseMap<usize>,
     companions: &mut Vec<Case>,
     first: usize,
 ) -> usize {

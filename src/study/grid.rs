@@ -1,6 +1,6 @@
 //! From a sweep file to its cases: the cartesian product, in the order of the file.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 use std::sync::LazyLock;
 
 use rayon::prelude::*;
@@ -8,6 +8,7 @@ use toml::{Table, Value};
 
 use super::axis::{GridAxis, MOST_CASES};
 use super::case::{Assignments, Case, CaseId};
+use super::case_map::CaseMap;
 use super::file::SweepFile;
 use crate::keys::{Key, Recent, Section, Shared, When};
 use crate::scene::{CaseConfig, ConfigError, Place, SeawallScene, place_of};
@@ -29,7 +30,7 @@ pub(super) fn expand(file: &SweepFile) -> Result<Vec<Case>, ConfigError> {
     let shared = |axis: &GridAxis| axis.values.iter().cloned().map(Shared::from).collect();
     let values: Vec<Vec<_>> = file.grid.iter().map(shared).collect();
     let mut cases: Vec<Case> = Vec::with_capacity(count);
-    let mut seen = HashMap::with_capacity(count);
+    let mut seen = CaseMap::with_capacity_and_hasher(count, Default::default());
     let mut numerics = Recent::default();
     // Block by block: cases that do not share their numerics yet take twice the memory.
     let blocks = (0..count).step_by(BLOCK).map(|first| first..count.min(first + BLOCK));

@@ -7,6 +7,7 @@
 
 mod axis;
 mod case;
+mod case_map;
 mod companions;
 mod file;
 mod grid;
@@ -21,6 +22,7 @@ mod unknown;
 
 pub use axis::GridAxis;
 pub use case::{Assignments, Case, CaseId, PHYSICS_VERSION};
+pub use case_map::CaseMap;
 pub use file::{SweepFile, accuracy_keys};
 pub use limits::limits_keys;
 pub use plan::{Plan, PlannedCase, PlannedTrunk};

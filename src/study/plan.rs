@@ -1,11 +1,10 @@
 //! Trunks and branches: what can be computed once and shared.
 
-use std::collections::HashMap;
-
 use rayon::prelude::*;
 
 use super::Study;
 use super::case::CaseId;
+use super::case_map::CaseMap;
 use crate::keys::Recent;
 use crate::scene::CaseConfig;
 use crate::simulation::Cost;
@@ -85,7 +84,7 @@ impl Plan {
             indices.iter().map(case).collect::<Vec<_>>()
         });
         let mut plan = Plan { trunks: Vec::new(), cases: Vec::with_capacity(wanted.len()) };
-        let mut groups: HashMap<CaseId, Vec<usize>> = HashMap::new();
+        let mut groups: CaseMap<Vec<usize>> = CaseMap::default();
         let mut order = Vec::new();
         for (case, trunk) in chunks.collect::<Vec<_>>().into_iter().flatten() {
             if let Some(key) = trunk {
