@@ -54,7 +54,12 @@ pub(super) fn main(args: &CompareArgs, output: &Output) -> anyhow::Result<u8> {
     for file in files.iter().flatten() {
         text.push_str(&format!("{}\n", named(file)));
     }
-    output.result(&text, &json::value(directories, &comparison, files.as_deref()))?;
+    // Of a large study it takes more than all else.
+    let value = match output.is_json() {
+        true => json::value(directories, &comparison, files.as_deref()),
+        false => serde_json::Value::Null,
+    };
+    output.result(&text, &value)?;
     Ok(SUCCESS)
 }
 
@@ -102,12 +107,13 @@ fn told(directories: [&Path; 2], comparison: &Comparison, all: bool) -> String {
         }
         text.push_str(&table.render());
     }
-    let alike = in_all(comparison);
+    let shared = shared(comparison);
+    let alike = in_all(comparison, &shared);
     let alike = if alike.is_empty() { alike } else { format!(", all at {alike}") };
     text.push_str(&format!("\nB less A{alike}\n"));
-    text.push_str(&tallies(comparison));
+    text.push_str(&tallies(comparison, &shared));
     text.push('\n');
-    text.push_str(&cases(comparison, all));
+    text.push_str(&cases(comparison, &shared, all));
     for (one, letter) in ["A", "B"].iter().enumerate() {
         let only = &comparison.only[one];
         let shown = if all { only.len() } else { only.len().min(3) };
@@ -124,7 +130,7 @@ fn told(directories: [&Path; 2], comparison: &Comparison, all: bool) -> String {
     text
 }
 
-fn tallies(comparison: &Comparison) -> String {
+fn tallies(comparison: &Comparison, shared: &[&str]) -> String {
     let mut table = Table::new(["", "cases", "median", "worst", "within bars", "worst at"]);
     for (at, (column, _)) in COMPARED.iter().enumerate() {
         let Some(tally) = Pair::tally(&comparison.pairs, at) else { continue };
@@ -132,7 +138,7 @@ fn tallies(comparison: &Comparison) -> String {
             0 => "no bars".to_owned(),
             bars => format!("{} of {bars}", tally.within),
         };
-        let place = place(comparison, &comparison.pairs[tally.worst_pair]);
+        let place = place(shared, &comparison.pairs[tally.worst_pair]);
         let [median, worst] = [tally.median, tally.worst]
             .map(|size| format!("{} {}", significant(to_places(size, 9), 2), unit(column.unit)));
         let count = tally.count.to_string();
@@ -142,16 +148,22 @@ fn tallies(comparison: &Comparison) -> String {
 }
 
 /// A pair's point without what all pairs have in common.
-fn place(comparison: &Comparison, pair: &Pair) -> String {
-    let told: Vec<_> = parts(pair).filter(|part| !is_shared(comparison, part)).collect();
+fn place(shared: &[&str], pair: &Pair) -> String {
+    let told: Vec<_> = parts(pair).filter(|part| !shared.contains(part)).collect();
     if told.is_empty() { pair.words.clone() } else { told.join(", ") }
 }
 
 /// What all pairs have in common, where they differ in anything.
-fn in_all(comparison: &Comparison) -> String {
-    let Some(first) = comparison.pairs.first() else { return String::new() };
-    let told: Vec<_> = parts(first).filter(|part| is_shared(comparison, part)).collect();
-    if told.len() == parts(first).count() { String::new() } else { told.join(", ") }
+fn in_all(comparison: &Comparison, shared: &[&str]) -> String {
+    let differs = comparison.pairs.first().is_some_and(|pair| parts(pair).count() > shared.len());
+    if differs { shared.join(", ") } else { String::new() }
+}
+
+/// What all pairs have in common.
+fn shared(comparison: &Comparison) -> Vec<&str> {
+    let Some((first, others)) = comparison.pairs.split_first() else { return Vec::new() };
+    let in_all = |part: &&str| others.iter().all(|other| parts(other).any(|own| own == *part));
+    parts(first).filter(in_all).collect()
 }
 
 /// What a point's words are made of; a bed is one word, with all its commas.
@@ -163,10 +175,6 @@ fn parts(pair: &Pair) -> impl Iterator<Item = &str> {
             letter == ',' && depth == 0
         })
         .map(str::trim_start)
-}
-
-fn is_shared(comparison: &Comparison, part: &str) -> bool {
-    comparison.pairs.iter().all(|other| parts(other).any(|own| own == part))
 }
 
 /// A size to so many decimals, and nothing without a sign: values of two builds may differ in their last digit.
@@ -181,7 +189,7 @@ fn unit(unit: Unit) -> &'static str {
 }
 
 /// The pairs with the largest differences first; a hundredth of the depth counts as a percent.
-fn cases(comparison: &Comparison, all: bool) -> String {
+fn cases(comparison: &Comparison, shared: &[&str], all: bool) -> String {
     let mut pairs: Vec<&Pair> = comparison.pairs.iter().collect();
     let size = |pair: &Pair| {
         let sizes = pair.differences.iter().zip(COMPARED).filter_map(|(one, (column, _))| {
@@ -211,7 +219,7 @@ fn cases(comparison: &Comparison, all: bool) -> String {
             let bound = if one.bounds[0] { "≥ " } else { "" };
             [format!("{bound}{}", short(one.values[0])), size]
         });
-        table.row([place(comparison, pair)].into_iter().chain(cells));
+        table.row([place(shared, pair)].into_iter().chain(cells));
     }
     let mut text = table.render() + &more;
     if text.contains('!') {

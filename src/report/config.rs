@@ -2,14 +2,16 @@
 //! swept keys in its row.
 
 use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
 
+use rayon::prelude::*;
 use serde::Deserialize;
 use toml::{Table, Value};
 
 use super::load::Loaded;
 use super::study::StudyFile;
 use crate::body::Stroke;
-use crate::keys::{number, value_of};
+use crate::keys::{Section, number, value_of};
 use crate::quantities::Column;
 use crate::quantities::summary::{BOUNDARY, KERNEL, PARTICLE_SPACING, SCHEME};
 use crate::scene::CaseConfig;
@@ -41,14 +43,21 @@ pub fn configs(data: &Loaded) -> Vec<Option<Config>> {
     each_config(data, 0..data.rows.len()).collect()
 }
 
-/// Likewise, of some rows by their places, made one by one: those of a large study take gigabytes.
+/// So many are made in one go, by all cores.
+const BLOCK: usize = 1024;
+
+/// Likewise, of some rows by their places, a block of them at a time: those of a large study take gigabytes.
 pub fn each_config(
     data: &Loaded,
-    rows: impl Iterator<Item = usize>,
+    mut rows: impl Iterator<Item = usize>,
 ) -> impl Iterator<Item = Option<Config>> {
-    let file = data.file();
-    let mut starts = BTreeMap::new();
-    rows.map(move |row| config(file.as_ref()?, data, row, &mut starts))
+    let (file, starts) = (data.file(), Starts::default());
+    let block = move || {
+        let block: Vec<usize> = rows.by_ref().take(BLOCK).collect();
+        let make = |row: usize| config(file.as_ref()?, data, row, &starts);
+        (!block.is_empty()).then(|| block.into_par_iter().map(make).collect::<Vec<_>>())
+    };
+    std::iter::from_fn(block).flatten()
 }
 
 /// A recorded stroke stands here as its path: a long record in every case would take gigabytes, and its
@@ -75,27 +84,27 @@ pub fn gauges(data: &Loaded) -> Vec<Gauge> {
 }
 
 /// The clocks at the first points of strokes' files, s, by their paths: each file is opened once.
-type Starts = BTreeMap<String, f64>;
+type Starts = Mutex<BTreeMap<String, f64>>;
 
-fn config(file: &StudyFile, data: &Loaded, row: usize, starts: &mut Starts) -> Option<Config> {
+fn config(file: &StudyFile, data: &Loaded, row: usize, starts: &Starts) -> Option<Config> {
     let [mut scene, numerics] = file.of_row(&data.keys, row, &file.numerics)?;
     let stroke = scene.get(STROKE).and_then(Value::as_str).map(str::to_owned);
     if let Some(path) = &stroke {
         let read = || Stroke::start_of(path).unwrap_or(0.0);
+        let mut starts = starts.lock().unwrap_or_else(PoisonError::into_inner);
         let start_s = *starts.entry(path.clone()).or_insert_with(read);
         let still = [0.0, 1.0, 2.0].map(|later| [start_s + later, 0.0]);
         scene.insert(STROKE.to_owned(), value_of(&still)?);
     }
     let config = CaseConfig::with_probes(&scene, &numerics, &file.probes).ok()?;
     let row = &data.rows[row];
-    let table = |value: Option<Value>| value?.as_table().cloned();
-    let mut numerics = table(value_of(&config.numerics))?;
+    let mut numerics = config.numerics.table();
     // What --max-error chose for the case.
     for column in [&SCHEME, &BOUNDARY, &KERNEL] {
         set(&mut numerics, column, Some(row.text(column)).filter(|text| !text.is_empty()));
     }
     set(&mut numerics, &PARTICLE_SPACING, row.number(&PARTICLE_SPACING));
-    let mut scene = table(value_of(&config.scene))?;
+    let mut scene = config.scene.table();
     if let Some((place, path)) = scene.get_mut(STROKE).zip(stroke) {
         *place = path.into();
     }

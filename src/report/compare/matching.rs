@@ -1,14 +1,9 @@
 //! Which cases of two studies are the same physical point, and which keys they differ in.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeSet, HashMap};
 
-use toml::{Table, Value};
-
-use super::{DifferentKey, Side};
-use crate::keys::number;
-use crate::math::lists::different;
-use crate::report::config::Config;
-use crate::report::load::Loaded;
+use super::values::{number_text, shown, text};
+use super::{DifferentKey, Side, Study};
 use crate::report::row::PLACE;
 
 /// Values of a key that are shown, at most.
@@ -18,81 +13,73 @@ const SHOWN: usize = 3;
 ///
 /// A point is told by the keys of `[scene]` that either study sweeps, and by those of `[numerics]` that
 /// both sweep. What only one of them sweeps in its numerics makes several cases of one point.
-pub fn matched(studies: &[Loaded; 2], sides: &[Vec<Side<'_>>; 2]) -> Vec<(usize, usize)> {
-    let swept = [0, 1]
-        .map(|one| studies[one].keys.iter().map(|key| key.name.as_str()).collect::<BTreeSet<_>>());
+pub fn matched(studies: &[Study<'_>; 2]) -> Vec<(usize, usize)> {
+    let swept = studies
+        .each_ref()
+        .map(|study| study.data.keys.iter().map(|key| key.name.as_str()).collect::<BTreeSet<_>>());
     let either: Vec<&str> = swept[0].union(&swept[1]).copied().collect();
     let both: Vec<&str> = swept[0].intersection(&swept[1]).copied().collect();
-    let mut there: BTreeMap<String, Vec<usize>> = BTreeMap::new();
-    for (at, side) in sides[1].iter().enumerate() {
-        there.entry(point(side, &either, &both)).or_default().push(at);
+    let points = studies.each_ref().map(|study| points(study, &either, &both));
+    let mut there: HashMap<&str, Vec<usize>> = HashMap::new();
+    for (at, point) in points[1].iter().enumerate() {
+        there.entry(point).or_default().push(at);
     }
-    let mut pairs = Vec::new();
-    for (at, side) in sides[0].iter().enumerate() {
-        let others = there.get(&point(side, &either, &both)).into_iter().flatten();
-        pairs.extend(others.map(|other| (at, *other)));
-    }
-    pairs
+    let others = |point: &String| there.get(point.as_str()).into_iter().flatten();
+    let pairs = points[0].iter().enumerate();
+    pairs.flat_map(|(at, point)| others(point).map(move |other| (at, *other))).collect()
 }
 
-/// A case's point as text that is the same for the same values.
-fn point(side: &Side, either: &[&str], both: &[&str]) -> String {
-    let Some(Config { scene, numerics }) = side.config else {
-        return PLACE.map(|column| number_text(side.row.number(column))).join(" ");
+/// Each case's point as text that is the same for the same values.
+fn points(study: &Study<'_>, either: &[&str], both: &[&str]) -> Vec<String> {
+    let of = |section: usize, keys: &[&str]| {
+        keys.iter().map(|key| study.values.column(section, key)).collect::<Vec<_>>()
     };
-    let of_scene = either.iter().map(|key| text(scene, key));
-    let shared = both.iter().filter(|key| !scene.contains_key(**key));
-    of_scene.chain(shared.map(|key| text(numerics, key))).collect::<Vec<_>>().join(" ")
+    let [of_scene, shared, of_numerics] = [of(0, either), of(0, both), of(1, both)];
+    let point = |side: &Side| {
+        let Some(case) = side.case else {
+            return PLACE.map(|column| number_text(side.row.number(column))).join(" ");
+        };
+        let scene = of_scene.iter().map(|column| text(*column, case));
+        let both = shared.iter().zip(&of_numerics);
+        let both = both.filter(|(scene, _)| shown(**scene, case).is_none());
+        scene.chain(both.map(|(_, column)| text(*column, case))).collect::<Vec<_>>().join(" ")
+    };
+    study.sides.iter().map(point).collect()
 }
-
-fn text(table: &Table, key: &str) -> String {
-    match table.get(key) {
-        Some(value) => number(value).map_or_else(|| value.to_string(), |v| number_text(Some(v))),
-        None => "-".to_owned(),
-    }
-}
-
-/// Nine digits tell numbers apart that a file writes in different ways.
-pub fn number_text(value: Option<f64>) -> String {
-    value.map_or_else(|| "-".to_owned(), |value| format!("{value:.8e}"))
-}
-
-/// A section by its name, and where its values are.
-type Section = (&'static str, fn(&Config) -> &Table);
 
 /// Keys that differ in some pair, those of the scene first.
-pub fn different_keys(sides: &[Vec<Side<'_>>; 2], pairs: &[(usize, usize)]) -> Vec<DifferentKey> {
-    let mut keys = Vec::new();
-    let tables: [Section; 2] =
-        [("scene", |config| &config.scene), ("numerics", |config| &config.numerics)];
-    for (section, table) in tables {
-        let of = |one: usize, at: usize| sides[one][at].config.map(table);
-        let both = pairs.iter().filter_map(|&(a, b)| of(0, a).zip(of(1, b)));
-        let both: Vec<(&Table, &Table)> = both.collect();
-        let mut names: Vec<&String> =
-            both.iter().flat_map(|(a, b)| a.keys().chain(b.keys())).collect();
-        names.sort_unstable();
-        names.dedup();
-        for key in names {
-            if both.iter().any(|(a, b)| text(a, key) != text(b, key)) {
-                let values = [
-                    values(both.iter().map(|(a, _)| *a), key),
-                    values(both.iter().map(|(_, b)| *b), key),
-                ];
-                keys.push(DifferentKey { section, key: key.clone(), values });
+pub fn different_keys(studies: &[Study<'_>; 2], pairs: &[(usize, usize)]) -> Vec<DifferentKey> {
+    let of = |one: usize, at: usize| studies[one].sides[at].case;
+    let both = pairs.iter().filter_map(|&(a, b)| Some([of(0, a)?, of(1, b)?]));
+    let both: Vec<[usize; 2]> = both.collect();
+    let mut different = Vec::new();
+    for (place, section) in ["scene", "numerics"].into_iter().enumerate() {
+        let keys = studies.iter().flat_map(|study| study.values.keys(place));
+        for key in keys.collect::<BTreeSet<_>>() {
+            let columns = studies.each_ref().map(|study| study.values.column(place, key));
+            if both.iter().any(|&[a, b]| text(columns[0], a) != text(columns[1], b)) {
+                let values = |one: usize| {
+                    told(both.iter().filter_map(|pair| shown(columns[one], pair[one])))
+                };
+                let values = [values(0), values(1)];
+                different.push(DifferentKey { section, key: key.to_owned(), values });
             }
         }
     }
-    keys
+    different
 }
 
 /// The different values of a key, the first few.
-fn values<'a>(tables: impl Iterator<Item = &'a Table>, key: &str) -> String {
-    let mut all = different(tables.filter_map(|table| table.get(key)).map(|value| match value {
-        Value::String(text) => text.clone(),
-        other => other.to_string(),
-    }));
-    let more = if all.len() > SHOWN { ", ..." } else { "" };
-    all.truncate(SHOWN);
-    all.join(", ") + more
+fn told<'a>(values: impl Iterator<Item = &'a str>) -> String {
+    let mut few: Vec<&str> = Vec::new();
+    for value in values {
+        if few.contains(&value) {
+            continue;
+        }
+        if few.len() == SHOWN {
+            return few.join(", ") + ", ...";
+        }
+        few.push(value);
+    }
+    few.join(", ")
 }

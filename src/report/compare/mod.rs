@@ -4,14 +4,16 @@
 mod matching;
 mod pair;
 mod shown;
+mod values;
 
 use std::collections::HashSet;
 use std::path::Path;
 
-use super::config::{Config, configs};
+use super::config::each_config;
 use super::error::ReportError;
 use super::load::Loaded;
 use super::row::Row;
+use values::Values;
 
 pub use pair::{COMPARED, Difference, Pair, Tally};
 pub use shown::{figure, table};
@@ -42,39 +44,54 @@ pub struct Comparison {
     pub only: [Vec<String>; 2],
 }
 
+/// A study, as far as it is compared.
+struct Study<'a> {
+    data: &'a Loaded,
+    /// Its finished cases.
+    sides: Vec<Side<'a>>,
+    /// What those were, as far as files tell.
+    values: Values,
+}
+
 /// A finished case of a study.
 struct Side<'a> {
     row: &'a Row,
-    config: Option<&'a Config>,
+    /// Its place among the values.
+    case: Option<usize>,
 }
 
 /// Compares two output directories by their files alone.
 pub fn compare(directories: [&Path; 2]) -> Result<Comparison, ReportError> {
     let [a, b] = directories.map(Loaded::read);
-    let studies = [a?, b?];
-    let configs = [configs(&studies[0]), configs(&studies[1])];
-    let sides = [0, 1].map(|one| sides(&studies[one], &configs[one]));
-    let matches = matching::matched(&studies, &sides);
-    let pair = |&(a, b): &(usize, usize)| Pair::of(&sides[0][a], &sides[1][b]);
+    let data = [a?, b?];
+    let studies = data.each_ref().map(Study::of);
+    let matches = matching::matched(&studies);
+    let [a, b] = studies.each_ref().map(|study| &study.sides);
     let only = [0, 1].map(|one| {
         // Of a hundred thousand pairs a look through all for each case would take minutes.
         let has: HashSet<usize> = matches.iter().map(|&(a, b)| [a, b][one]).collect();
-        let lone = sides[one].iter().enumerate().filter(|(at, _)| !has.contains(at));
+        let lone = [a, b][one].iter().enumerate().filter(|(at, _)| !has.contains(at));
         lone.map(|(_, side)| side.row.title()).collect()
     });
-    let name = |one: usize| studies[one].name().unwrap_or_default().to_owned();
     Ok(Comparison {
-        names: [name(0), name(1)],
-        finished: [sides[0].len(), sides[1].len()],
-        keys: matching::different_keys(&sides, &matches),
-        pairs: matches.iter().map(pair).collect(),
+        names: data.each_ref().map(|data| data.name().unwrap_or_default().to_owned()),
+        finished: [a.len(), b.len()],
+        keys: matching::different_keys(&studies, &matches),
+        pairs: matches.iter().map(|&(at, other)| Pair::of(&a[at], &b[other])).collect(),
         only,
     })
 }
 
-fn sides<'a>(study: &'a Loaded, configs: &'a [Option<Config>]) -> Vec<Side<'a>> {
-    let side = |(row, config): (&'a Row, &'a Option<Config>)| {
-        row.is_ok().then_some(Side { row, config: config.as_ref() })
-    };
-    study.rows.iter().zip(configs).filter_map(side).collect()
+impl<'a> Study<'a> {
+    fn of(data: &'a Loaded) -> Study<'a> {
+        let finished = || data.rows.iter().enumerate().filter(|(_, row)| row.is_ok());
+        let configs = each_config(data, finished().map(|(place, _)| place));
+        let mut values = Values::default();
+        let side = |((_, row), config): ((usize, &'a Row), Option<_>)| Side {
+            row,
+            case: config.map(|config| values.push(&config)),
+        };
+        let sides = finished().zip(configs).map(side).collect();
+        Study { data, sides, values }
+    }
 }

@@ -1,7 +1,7 @@
 //! Two cases of the same point: what they differ by.
 
 use super::Side;
-use super::matching::number_text;
+use super::values::number_text;
 use crate::math::lists;
 use crate::quantities::summary::{
     DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, RUNUP_MAX,

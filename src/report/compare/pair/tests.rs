@@ -5,7 +5,7 @@ use crate::quantities::summary::{
 use crate::report::row::Row;
 
 fn pair_of(rows: [&Row; 2]) -> Pair {
-    let [a, b] = rows.map(|row| Side { row, config: None });
+    let [a, b] = rows.map(|row| Side { row, case: None });
     Pair::of(&a, &b)
 }
 
