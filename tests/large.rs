@@ -153,7 +153,7 @@ fn a_large_study_that_was_killed_goes_on_to_the_same_bytes() {
     for part in [0..4000, 4000..7000] {
         let open = Directory::open(&out, &study, OpenMode::Resume, Some(simd), simd);
         let mut directory = open.unwrap().0;
-        assert_eq!(directory.records().iter().flatten().count(), part.start);
+        assert_eq!(directory.runs().iter().flatten().count(), part.start);
         assert_eq!(directory.findings(), Vec::<String>::new());
         assert_eq!(out.join("looked.json").exists(), part.start > 0, "a note that counts stays");
         for case in &study.cases[part] {

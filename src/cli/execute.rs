@@ -77,7 +77,7 @@ pub(super) fn execute(
         directory.retry_failed();
     }
     let missing = directory.runs().iter().filter(|record| record.is_none()).count();
-    let tallies = tallies(&directory);
+    let tallies = tallies(&directory, study.cases.len());
     tell_opened(&opened, job, tallies, output);
     // One who died before it had a manifest has done nothing.
     let began = matches!(opened, Opened::Resumed(done) if missing == 0 || done > 0);

@@ -64,7 +64,7 @@ pub(super) fn make(
     let start = Instant::now();
     let set = Set {
         study,
-        records: done.directory.runs(),
+        records: done.directory.records(),
         directory: done.directory.path(),
         colour: Colour::Pressure,
         resources: Resources { simd: done.directory.simd(), threads: film::threads(threads) },

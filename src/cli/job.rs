@@ -43,7 +43,7 @@ pub(super) struct Done {
 impl Done {
     /// The finished cases, in grid order.
     pub(super) fn records(&self) -> impl Iterator<Item = &CaseRecord> {
-        self.directory.records().iter().flatten()
+        self.directory.case_records().iter().flatten()
     }
 
     /// Finished cases of which something touches a quoted number.
@@ -86,7 +86,7 @@ impl Done {
     /// The finished cases with all that the journal has of them, in grid order.
     pub(super) fn whole(&self, study: &Study) -> Result<Vec<CaseRecord>, SweepError> {
         let whole = finished_whole(self.directory.path(), study)?.into_iter();
-        let whole = whole.zip(self.directory.records());
+        let whole = whole.zip(self.directory.case_records());
         Ok(whole.filter_map(|(record, here)| record.filter(|_| here.is_some())).collect())
     }
 
@@ -109,7 +109,7 @@ impl Done {
     pub(super) fn json(&self, job: &Job, report: Option<&Path>) -> Result<Value, SweepError> {
         let records = self.whole(&job.study)?;
         let in_full = |record: &CaseRecord| {
-            Done::in_full(record, job.study.error_bars(record.index, self.directory.runs()))
+            Done::in_full(record, job.study.error_bars(record.index, self.directory.records()))
         };
         let records: Vec<_> = records.iter().map(in_full).collect();
         Ok(json!({

@@ -92,7 +92,7 @@ pub(super) fn run(
     Ok(Ran {
         matrix,
         pairs,
-        records: done.directory.records().to_vec(),
+        records: done.directory.case_records().to_vec(),
         out: done.directory.path().to_owned(),
         interrupted: (done.ending == Ending::Interrupted).then(|| done.exit_code()),
     })

@@ -124,11 +124,11 @@ fn reason(choice: &Choice, percent: f64) -> String {
 
 /// The study with finer spacings where the bars are too wide; `None` where nothing is to be done.
 pub(super) fn refine(aim: &MaxError, study: &Study, done: &Done, output: &Output) -> Option<Study> {
-    let finer = aim.finer(study, done.directory.runs());
+    let finer = aim.finer(study, done.directory.records());
     if finer.is_empty() {
         return None;
     }
-    let verified = aim.verify(study, done.directory.runs()).into_iter();
+    let verified = aim.verify(study, done.directory.records()).into_iter();
     let again: Vec<_> = verified.filter(|case| finer.contains_key(&case.index)).collect();
     let (percent, why) = (aim.percent(), why(&missed(&again)));
     output.note(format_args!(
@@ -193,7 +193,7 @@ pub(super) fn report(
     study: &Study,
     done: &Done,
 ) -> anyhow::Result<(String, serde_json::Value)> {
-    let verified = aim.verify(study, done.directory.runs());
+    let verified = aim.verify(study, done.directory.records());
     std::fs::write(done.directory.path().join("max_error.csv"), aim.csv(study, &verified))?;
     let met = verified.iter().filter(|case| case.missed.is_none()).count();
     let (percent, cases) = (aim.percent(), counted(study.cases.len(), "case"));

@@ -9,8 +9,8 @@ use crate::math::words::counted;
 use crate::results::{Directory, Opened, RankInfo};
 
 /// Cases and companions, and how many of them are done.
-pub(super) fn tallies(directory: &Directory) -> [Tally; 2] {
-    let (cases, companions) = directory.runs().split_at(directory.records().len());
+pub(super) fn tallies(directory: &Directory, cases: usize) -> [Tally; 2] {
+    let (cases, companions) = directory.runs().split_at(cases);
     [cases, companions].map(|runs| Tally {
         all: runs.len(),
         done: runs.iter().filter(|record| record.is_some()).count(),

@@ -91,7 +91,7 @@ pub(super) fn of_cases(job: &Job, done: &Done, all: bool) -> String {
 fn table<'a>(job: &'a Job, done: &'a Done, rows: usize) -> String {
     let told = |record: &'a CaseRecord| {
         let case = &job.study.cases[record.index];
-        let bars = job.study.error_bars(record.index, done.directory.runs());
+        let bars = job.study.error_bars(record.index, done.directory.records());
         (record, record.reported(&case.config, bars))
     };
     let cases: Vec<_> = done.records().take(rows).map(told).collect();

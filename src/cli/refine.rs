@@ -34,7 +34,7 @@ pub(super) fn next(
     done: &Done,
     output: &Output,
 ) -> anyhow::Result<Option<Study>> {
-    let next = refinement.next(study, done.directory.runs()).map_err(BadFile::of(path))?;
+    let next = refinement.next(study, done.directory.records()).map_err(BadFile::of(path))?;
     if let Some(next) = &next {
         let (points, asked) = (next.cases.len() - study.cases.len(), &refinement.asked);
         output.note(format_args!(
@@ -49,7 +49,7 @@ pub(super) fn next(
 
 /// How far a finished study came, for people and for programs.
 pub(super) fn report(refinement: &Refinement, study: &Study, done: &Done) -> (String, Value) {
-    let records = done.directory.runs();
+    let records = done.directory.records();
     let round = refinement.round(study, records);
     let next = refinement.next(study, records).ok().flatten();
     let pending = next.map_or(0, |next| next.cases.len() - study.cases.len());

@@ -114,7 +114,7 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
     }
     for record in &done.whole(&job.study)? {
         let config = &job.study.cases[record.index].config;
-        let bars = job.study.error_bars(record.index, done.directory.runs());
+        let bars = job.study.error_bars(record.index, done.directory.records());
         let told = told::told(record, config, bars);
         let text = format!("{told}files: {}\n", named(done.directory.path()));
         let value = in_metres(record, config, Done::in_full(record, bars));
@@ -146,7 +146,7 @@ fn film_of(
     }
     let resources = Resources { simd: done.directory.simd(), threads: film::threads(args.threads) };
     let (directory, colour) = (done.directory.path(), page.colour);
-    let (records, interrupt) = (done.directory.runs(), &Interrupt::listen()?);
+    let (records, interrupt) = (done.directory.records(), &Interrupt::listen()?);
     let set = film::Set { study, records, directory, colour, resources, interrupt };
     let shot = set.shoot(case)?;
     shot.tell(case, output);

@@ -7,9 +7,10 @@ use std::path::Path;
 
 use csv::StringRecord;
 
+use super::ended::Ended;
 use super::error::SweepError;
 use super::filling::Filling;
-use super::record::CaseRecord;
+use super::record::{CaseRecord, HeldLine};
 use super::{files, journal, summary};
 use crate::math::words::counted;
 use crate::quantities::summary::{CASE_ID, WALL_TIME};
@@ -19,12 +20,25 @@ use crate::study::{Case, Study};
 /// The finished cases and companions of a study that a directory holds, in the order of
 /// [`Study::runs`], from its journal alone, as far as tables and figures need them.
 pub fn finished(directory: &Path, study: &Study) -> Result<Vec<Option<CaseRecord>>, SweepError> {
-    let mut filling = Filling::new(directory, study).blind();
+    let mut filling = Filling::<HeldLine>::new(directory, study).blind();
     journal::read_in_blocks(directory, |lines| filling.take(lines))?;
     Ok(filling.all().0)
 }
 
-/// The same with all that the journal has of them. Of a large study this is gigabytes.
+/// The same without those that are to run again.
+pub(super) fn finished_of(
+    directory: &Path,
+    study: &Study,
+    runs: &[Option<Ended>],
+) -> Result<Vec<Option<CaseRecord>>, SweepError> {
+    let mut records = finished(directory, study)?;
+    for (record, run) in records.iter_mut().zip(runs) {
+        record.take_if(|_| run.is_none());
+    }
+    Ok(records)
+}
+
+/// Those of [`finished`] with all that the journal has of them. Of a large study this is gigabytes.
 pub fn finished_whole(
     directory: &Path,
     study: &Study,
@@ -128,7 +142,7 @@ mod tests {
         let directory = trial::finished(&path, &study);
         let case = &study.cases[1];
         let told = |result: &CaseResult| {
-            first_difference(&path, (&study, directory.runs()), case, result)
+            first_difference(&path, (&study, directory.records()), case, result)
                 .unwrap()
                 .unwrap_or_default()
         };

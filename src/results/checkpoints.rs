@@ -62,7 +62,7 @@ pub(super) fn tidy(
     directory: &Path,
     finished: impl IntoIterator<Item = CaseId>,
 ) -> Result<(), SweepError> {
-    atomic_file::clean(&directory.join(FOLDER))?;
+    atomic_file::clean(&[directory.join(FOLDER)])?;
     remove(directory, finished)
 }
 

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use super::attempts::Attempts;
+use super::ended::Ended;
 use super::entries::Header;
 use super::error::SweepError;
 use super::filing::Filed;
@@ -16,7 +17,7 @@ use super::opening::{self, Found, OpenMode, Opened, look};
 use super::record::CaseRecord;
 use super::stamp::CaseFiles;
 use super::waiting::Waiting;
-use super::{checkpoints, disk, energy, files, probe_columns, summary};
+use super::{again, checkpoints, disk, energy, files, probe_columns, summary};
 use crate::math::simd::SimdPath;
 use crate::simulation::CaseResult;
 use crate::study::{CaseId, Study};
@@ -29,10 +30,12 @@ pub struct Directory {
     journal: Journal,
     waiting: Waiting,
     simd: SimdPath,
+    runs: Vec<Option<Ended>>,
+    /// What the journal had of them when the tables were written; empty before.
     records: Vec<Option<CaseRecord>>,
     /// Where the files of each case are.
     left: Places,
-    /// Records before this are cases, the others companions.
+    /// Runs before this are cases, the others companions.
     cases: usize,
     findings: Vec<String>,
     attempts: Attempts,
@@ -43,8 +46,7 @@ pub struct Directory {
 }
 
 impl Directory {
-    /// Opens the directory for a study. `requested` is the user's choice of instruction set,
-    /// `widest` the widest that every rank has.
+    /// Opens the directory for a study. `requested` is the user's instruction set, `widest` the widest that every rank has.
     ///
     /// # Errors
     /// Another sweep's or somebody else's directory, a damaged journal, a held lock, an
@@ -88,15 +90,15 @@ impl Directory {
             journal = Journal::resume(path, &content, &header)?;
             files::clean(path)?;
             (simd, lines, filled) = (header.simd, content.found, filling.end());
-            opened = Opened::Resumed(filled.records.iter().flatten().count());
+            opened = Opened::Resumed(filled.runs.iter().flatten().count());
         }
-        let Filled { records, left, told, found, owed, stamps, is_noted } = filled;
+        let Filled { runs, left, told, found, owed, stamps, is_noted } = filled;
         findings.extend(told);
         if !is_noted {
             Looked::forget(path)?;
         }
         let notes = Notes::of(&journal, lines, stamps)?;
-        let finished = records.iter().flatten().map(|record| record.id);
+        let finished = runs.iter().flatten().map(|run| run.id);
         checkpoints::tidy(path, finished)?;
         let (kept, told) = checkpoints::look(path, simd);
         findings.extend(told);
@@ -109,7 +111,8 @@ impl Directory {
             journal,
             waiting: Waiting::new(path, found, notes, owed)?,
             simd,
-            records,
+            runs,
+            records: Vec::new(),
             left,
             cases: count,
             findings,
@@ -138,10 +141,7 @@ impl Directory {
         checkpoints::clear(&self.path)
     }
 
-    /// Makes sure that results still go where they should.
-    ///
-    /// # Errors
-    /// Somebody has deleted or moved the directory or its journal.
+    /// Makes sure that nobody has deleted or moved the directory or its journal.
     pub fn demand_in_place(&self) -> Result<(), SweepError> {
         self.journal.demand_in_place()
     }
@@ -156,33 +156,36 @@ impl Directory {
         self.simd
     }
 
-    /// The finished cases, in grid order, as far as tables and figures need them; the journal has the rest,
-    /// see [`super::finished`].
-    pub fn records(&self) -> &[Option<CaseRecord>] {
-        &self.records[..self.cases]
+    /// The cases and companions that have ended, in the order of [`Study::runs`].
+    pub fn runs(&self) -> &[Option<Ended>] {
+        &self.runs
     }
 
-    /// The finished cases and companions, in the order of [`Study::runs`].
-    pub fn runs(&self) -> &[Option<CaseRecord>] {
+    /// The finished cases, in grid order, as far as tables need them, once these are written; see [`super::finished`].
+    pub fn case_records(&self) -> &[Option<CaseRecord>] {
+        &self.records[..self.cases.min(self.records.len())]
+    }
+
+    /// The same of cases and companions, in the order of [`Study::runs`].
+    pub fn records(&self) -> &[Option<CaseRecord>] {
         &self.records
     }
 
     /// Forgets failed cases, so that they run again.
     pub fn retry_failed(&mut self) {
-        for record in &mut self.records {
-            record.take_if(|record| !record.is_ok());
+        for run in &mut self.runs {
+            run.take_if(|run| !run.is_ok);
         }
     }
 
     /// What all cases so far have left, to be looked for once more.
     pub fn left(&self) -> Left {
-        self.left.of(self.records())
+        self.left.of(&self.runs)
     }
 
     /// Forgets what was recorded, and stays locked: for what reads files alone.
     pub fn forget_records(&mut self) {
-        self.records = Vec::new();
-        self.cases = 0;
+        (self.runs, self.records) = Default::default();
     }
 
     /// Records a finished case: its files first, its journal line after.
@@ -224,22 +227,22 @@ impl Directory {
             self.waiting.add_files(CaseFiles::of(record.id, &record.files), on_disk);
         }
         self.waiting.add_line(record.id);
-        self.records[index] = Some(record.held());
+        self.runs[index] = Some(Ended { id: record.id, is_ok: record.is_ok() });
         Ok(())
     }
 
-    /// Puts everything recorded on the disk: if `now`, before it returns; otherwise what has waited long
-    /// enough, beside everything else.
+    /// Puts everything recorded on the disk: if `now`, before it returns; else what has waited long enough, beside all else.
     pub fn sync(&mut self, now: bool) -> Result<(), SweepError> {
         self.waiting.sync(&self.path, &mut self.journal, now)
     }
 
-    /// Makes all tables from the journal's records.
-    pub fn write_tables(&self, study: &Study) -> Result<(), SweepError> {
+    /// Makes all tables from the journal's records, which are held from then on.
+    pub fn write_tables(&mut self, study: &Study) -> Result<(), SweepError> {
         self.demand_in_place()?;
+        self.records = again::finished_of(&self.path, study, &self.runs)?;
         summary::write(&self.path, study, &self.records)?;
-        energy::write(&self.path, self.records())?;
-        probe_columns::write(&self.path, study, self.records())
+        energy::write(&self.path, self.case_records())?;
+        probe_columns::write(&self.path, study, self.case_records())
     }
 }
 

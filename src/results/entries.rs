@@ -104,14 +104,13 @@ impl<R> Line<R> {
     }
 }
 
-/// Reads a journal, without holding its text. `path` is told in errors. A last line that was never written
-/// to its end counts for nothing.
+/// Reads a journal, without holding its text. `path` is told in errors. A last line without an end counts for nothing.
 ///
 /// # Errors
 /// A file that cannot be read, a whole line that this program does not know, or one that is out of place.
 pub(super) fn parse<R: DeserializeOwned + Send>(
     path: &Path,
-    text: impl BufRead,
+    text: impl BufRead + Send,
 ) -> Result<Content<R>, SweepError> {
     let mut records = Vec::new();
     let content = parse_in_blocks(path, text, |block| records.extend(block))?;
@@ -121,19 +120,20 @@ pub(super) fn parse<R: DeserializeOwned + Send>(
 /// The same without holding the records: each block of them is handed on.
 pub(super) fn parse_in_blocks<R: DeserializeOwned + Send>(
     path: &Path,
-    mut text: impl BufRead,
+    mut text: impl BufRead + Send,
     mut take: impl FnMut(Vec<R>),
 ) -> Result<Content<R>, SweepError> {
     let condition = Condition::Intact;
     let mut content =
         Content { header: None, records: Vec::new(), found: 0, damaged: 0, condition };
-    let (mut number, mut end, mut block) = (0, 0, Vec::new());
-    loop {
-        next_lines(&mut text, &mut block).map_err(SweepError::io(path))?;
-        if block.is_empty() {
-            break;
-        }
-        let lines: Vec<Line<R>> = lines_of(&block).into_par_iter().map(read).collect();
+    let (mut number, mut end, mut block, mut next) = (0, 0, Vec::new(), Vec::new());
+    next_lines(&mut text, &mut next).map_err(SweepError::io(path))?;
+    while !next.is_empty() {
+        std::mem::swap(&mut block, &mut next);
+        // The next block is read while the lines of this one are looked at.
+        let look = || lines_of(&block).into_par_iter().map(read).collect();
+        let (lines, more): (Vec<_>, _) = rayon::join(look, || next_lines(&mut text, &mut next));
+        more.map_err(SweepError::io(path))?;
         for line in lines {
             number += 1;
             content.damaged += line.damaged;
@@ -176,8 +176,8 @@ fn lines_of(mut text: &[u8]) -> Vec<&[u8]> {
 fn read<R: DeserializeOwned>(line: &[u8]) -> Line<R> {
     let ended = line.ends_with(b"\n");
     let entry = |text: &[u8]| serde_json::from_slice(text).map_err(|error| error.to_string());
-    // Nearly every line: then it need not be searched for another one.
     let bytes = line.len() as u64;
+    // Nearly every line: then it need not be searched for another one.
     if let Some(text) = whole_entry(line) {
         return Line { entries: vec![entry(text)], damaged: 0, intact: ended, bytes };
     }

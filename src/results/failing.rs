@@ -118,8 +118,7 @@ fn fail_in_turn(mode: OpenMode, before: impl Fn(&Path)) {
             let (directory, opened) = opened.unwrap_or_else(|error| panic!("call {call}: {error}"));
             assert!(directory.findings().is_empty(), "call {call}: {:?}", directory.findings());
             if let Opened::Resumed(_) = opened {
-                let there =
-                    |id: &CaseId| directory.records().iter().flatten().any(|it| it.id == *id);
+                let there = |id: &CaseId| directory.runs().iter().flatten().any(|it| it.id == *id);
                 assert!(kept.iter().all(there), "call {call}");
             } else {
                 assert!(kept.is_empty(), "call {call}");

@@ -87,9 +87,8 @@ pub(super) fn any(directory: &Path) -> bool {
 
 /// Removes what a killed process left half written.
 pub(super) fn clean(directory: &Path) -> Result<(), SweepError> {
-    let folders = FOLDERS.map(|name| directory.join(name));
-    let all = std::iter::once(directory.to_owned()).chain(folders);
-    all.into_iter().try_for_each(|folder| atomic_file::clean(&folder))
+    let folders = FOLDERS.iter().map(|name| directory.join(name));
+    atomic_file::clean(&std::iter::once(directory.to_owned()).chain(folders).collect::<Vec<_>>())
 }
 
 /// Where a case's history is.

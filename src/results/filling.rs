@@ -6,11 +6,11 @@ use std::path::{Path, PathBuf};
 use rayon::prelude::*;
 
 use super::closing::Closing;
+use super::ended::{Ended, EndedLine, Line};
 use super::entries::Content;
 use super::error::SweepError;
 use super::left::Places;
 use super::looked::{self, Looked};
-use super::record::{CaseRecord, HeldLine};
 use super::stamp::{CaseFiles, Stamps};
 use super::{files, journal};
 use crate::keys::named;
@@ -18,11 +18,11 @@ use crate::study::{CaseId, CaseMap, Study};
 
 /// Sorts journal lines into the order of the runs; a later line of the same run wins. Companions
 /// are known by their id: asking for other error bars renumbers them.
-pub(super) struct Filling<'a> {
+pub(super) struct Filling<'a, L: Line> {
     path: &'a Path,
     cases: usize,
     places: CaseMap<usize>,
-    records: Vec<Option<CaseRecord>>,
+    records: Vec<Option<L::Held>>,
     /// Where the files of each case are.
     left: Places,
     /// Whether files are looked at.
@@ -42,8 +42,8 @@ pub(super) struct Filling<'a> {
     damage: BTreeMap<usize, Vec<Damaged>>,
 }
 
-impl Filling<'_> {
-    pub(super) fn new<'a>(path: &'a Path, study: &Study) -> Filling<'a> {
+impl<'a, L: Line> Filling<'a, L> {
+    pub(super) fn new(path: &'a Path, study: &Study) -> Filling<'a, L> {
         Filling {
             path,
             cases: study.cases.len(),
@@ -73,26 +73,26 @@ impl Filling<'_> {
     }
 
     /// Takes the next lines, and looks at the files of their cases.
-    pub(super) fn take(&mut self, lines: Vec<HeldLine>) {
+    pub(super) fn take(&mut self, lines: Vec<L>) {
         let (path, cases, places) = (self.path, self.cases, &self.places);
         let (looks, notes) = (self.looks, self.notes);
         let known = self.known.map_or(0, |known| known.lines).saturating_sub(self.taken);
         self.taken += lines.len();
-        let look = |(number, line): (usize, HeldLine)| {
-            let index = *places.get(&line.id())?;
+        let look = |(number, line): (usize, L)| {
+            let Ended { id, is_ok } = line.ended();
+            let index = *places.get(&id)?;
             let (record, seals) = line.split(index);
-            let has_files = record.is_ok() && record.index < cases;
-            let files = has_files.then(|| CaseFiles::of(record.id, &seals));
+            let has_files = is_ok && index < cases;
+            let files = has_files.then(|| CaseFiles::of(id, &seals));
             // Before they are read: what changes meanwhile shows later.
             let stamp = files.filter(|_| notes).map_or(Some(0), |files| files.stamp(path));
             let is_noted = number < known;
             let is_read = looks && has_files && !is_noted;
-            let damage = is_read.then(|| files::damage(path, record.id, &seals));
-            Some((record, files, stamp, is_noted, damage.unwrap_or_default()))
+            let damage = is_read.then(|| files::damage(path, id, &seals));
+            Some((index, record, files, stamp, is_noted, damage.unwrap_or_default()))
         };
         let looked: Vec<_> = lines.into_par_iter().enumerate().filter_map(look).collect();
-        for (record, files, stamp, is_noted, damage) in looked {
-            let index = record.index;
+        for (index, record, files, stamp, is_noted, damage) in looked {
             self.left.set(index, files.map_or(0, |files| files.folders));
             self.damage.remove(&index);
             if is_noted {
@@ -112,14 +112,21 @@ impl Filling<'_> {
         known.is_some_and(|known| self.noted.sum() == Some(known.files))
     }
 
-    /// What there is, without records whose files are damaged or missing.
+    /// All records, and what is wrong with files.
+    pub(super) fn all(self) -> (Vec<Option<L::Held>>, Vec<Damaged>) {
+        (self.records, self.damage.into_values().flatten().collect())
+    }
+}
+
+impl Filling<'_, EndedLine> {
+    /// What there is, without runs whose files are damaged or missing.
     pub(super) fn end(mut self) -> Filled {
         let damaged = self.damage.keys().filter_map(|&index| self.records[index].take());
-        let owed = damaged.map(|record| record.id).collect();
+        let owed = damaged.map(|run| run.id).collect();
         let damage = self.damage.into_values().flatten();
         let told = |file: Damaged| format!("{}: its case runs again", told(&file));
         Filled {
-            records: self.records,
+            runs: self.records,
             left: self.left,
             told: damage.map(told).collect(),
             found: self.found,
@@ -128,16 +135,11 @@ impl Filling<'_> {
             is_noted: self.known.is_some(),
         }
     }
-
-    /// All records, and what is wrong with files.
-    pub(super) fn all(self) -> (Vec<Option<CaseRecord>>, Vec<Damaged>) {
-        (self.records, self.damage.into_values().flatten().collect())
-    }
 }
 
-/// A journal's records in the order of the runs.
+/// What a journal holds, in the order of the runs.
 pub(super) struct Filled {
-    pub records: Vec<Option<CaseRecord>>,
+    pub runs: Vec<Option<Ended>>,
     /// Where the files of each case are.
     pub left: Places,
     /// What is wrong with files, in words.
@@ -157,7 +159,7 @@ impl Filled {
     pub(super) fn nothing(study: &Study) -> Filled {
         let is_large = study.cases.len() > looked::ABOVE;
         Filled {
-            records: vec![None; study.run_count()],
+            runs: vec![None; study.run_count()],
             left: Places::new(study.cases.len()),
             told: Vec::new(),
             found: Vec::new(),
@@ -173,8 +175,8 @@ impl Filled {
 pub(super) fn fill<'a>(
     path: &'a Path,
     study: &Study,
-) -> Result<(Content<HeldLine>, Filling<'a>), SweepError> {
-    let read = |mut filling: Filling<'a>| {
+) -> Result<(Content<EndedLine>, Filling<'a, EndedLine>), SweepError> {
+    let read = |mut filling: Filling<'a, EndedLine>| {
         let content = journal::read_in_blocks(path, |lines| filling.take(lines))?;
         Ok::<_, SweepError>((content, filling))
     };

@@ -4,9 +4,9 @@ use std::collections::HashSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use super::ended::Ended;
 use super::error::SweepError;
 use super::files::{self, FOLDERS};
-use super::record::CaseRecord;
 use super::seal::Seals;
 use crate::keys::named;
 use crate::math::words::counted;
@@ -42,12 +42,11 @@ impl Places {
     }
 
     /// What those have left that have ended well.
-    pub(super) fn of(&self, records: &[Option<CaseRecord>]) -> Left {
-        let well = |record: &'_ &CaseRecord| record.is_ok();
-        let case = |(record, &folders): (&Option<CaseRecord>, &Folders)| {
-            record.as_ref().filter(well).map(|record| (record.id, folders))
+    pub(super) fn of(&self, cases: &[Option<Ended>]) -> Left {
+        let case = |(case, &folders): (&Option<Ended>, &Folders)| {
+            case.filter(|case| case.is_ok).map(|case| (case.id, folders))
         };
-        Left(records.iter().zip(&self.0).filter_map(case).collect())
+        Left(cases.iter().zip(&self.0).filter_map(case).collect())
     }
 }
 

@@ -69,6 +69,11 @@ impl HeldLine {
         self.id
     }
 
+    /// Whether the case is well.
+    pub(super) fn is_ok(&self) -> bool {
+        self.failure.is_none()
+    }
+
     /// The record, which has its place in the study, and the seals of the case's files.
     pub(super) fn split(self, index: usize) -> (CaseRecord, Seals) {
         let record = CaseRecord {
@@ -173,18 +178,6 @@ impl CaseRecord {
             cpu_time_s: None,
             host: host.to_owned(),
             files: BTreeMap::new(),
-        }
-    }
-
-    /// What a process holds of it once it is in the journal: all that tables are made of. Of a million
-    /// cases the rest would be gigabytes.
-    pub(super) fn held(self) -> CaseRecord {
-        CaseRecord {
-            values: BTreeMap::new(),
-            phases: Vec::new(),
-            host: String::new(),
-            files: BTreeMap::new(),
-            ..self
         }
     }
 

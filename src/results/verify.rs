@@ -8,7 +8,7 @@ use super::entries::Condition;
 use super::error::SweepError;
 use super::filling::{self, Filling};
 use super::manifest::Manifest;
-use super::record::CaseRecord;
+use super::record::{CaseRecord, HeldLine};
 use super::{checkpoints, derived, energy, journal, opening, probe_columns, summary};
 use crate::keys::named;
 use crate::study::Study;
@@ -26,7 +26,7 @@ pub struct Verified {
 
 /// Looks at everything in a directory.
 pub fn verify(directory: &Path, study: &Study) -> Result<Verified, SweepError> {
-    let mut filling = Filling::new(directory, study);
+    let mut filling = Filling::<HeldLine>::new(directory, study);
     let content = journal::read_in_blocks(directory, |lines| filling.take(lines))?;
     let (records, damaged) = filling.all();
     let mut told: Vec<String> = opening::told_damage(&content, false).into_iter().collect();
@@ -212,7 +212,7 @@ mod tests {
             // Nothing is mended by looking.
             assert!(!found[0].contains("set aside"), "{found:?}");
             let directory = trial::open(&path, &study);
-            assert_eq!(directory.records().iter().flatten().count() == 1, case_runs_again);
+            assert_eq!(directory.runs().iter().flatten().count() == 1, case_runs_again);
             assert_eq!(!directory.findings().is_empty(), case_runs_again);
             drop(directory);
             std::fs::write(&name, before).unwrap();

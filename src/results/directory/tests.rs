@@ -37,6 +37,22 @@ fn a_sweep_goes_on_where_it_stopped() {
     assert_eq!(opened, Opened::Resumed(0));
 }
 
+/// The journal still has its line.
+#[test]
+fn tables_leave_out_a_case_that_is_to_run_again() {
+    let root = tempfile::tempdir().unwrap();
+    let (path, study) = (root.path().join("run"), study("0.1, 0.2"));
+    drop(super::super::trial::finished(&path, &study));
+    fs::write(super::files::history_path(&path, study.cases[0].id), "damaged").unwrap();
+    let (mut directory, opened) = open(&path, &study, OpenMode::Resume).unwrap();
+    assert_eq!(opened, Opened::Resumed(1));
+    assert!(directory.records().is_empty());
+    directory.write_tables(&study).unwrap();
+    let there = directory.case_records().iter().map(|record| record.is_some());
+    assert_eq!(there.collect::<Vec<_>>(), [false, true]);
+    assert_eq!(fs::read_to_string(path.join("summary.csv")).unwrap().lines().count(), 2);
+}
+
 #[test]
 fn what_is_recorded_while_a_group_is_on_its_way_belongs_to_the_next() {
     let root = tempfile::tempdir().unwrap();
