@@ -47,6 +47,7 @@ pub(super) fn main(args: &FindArgs, output: &Output) -> anyhow::Result<u8> {
     }
     let found = find(&args.condition, &data).map_err(BadInput)?;
     let answer = Answer::new(&data, &found);
-    output.result(&answer.told(output.verbose), &answer.value())?;
+    let value = if output.is_json() { answer.value() } else { serde_json::Value::Null };
+    output.result(&answer.told(output.verbose), &value)?;
     Ok(SUCCESS)
 }

@@ -1,8 +1,10 @@
 //! `seawall show`: one case of a finished study, from its files.
 
 use std::path::{Path, PathBuf};
+use std::rc::Rc;
 
 use clap::Args;
+use csv::StringRecord;
 use serde_json::{Map, Value, json};
 
 use super::failure::BadInput;
@@ -71,24 +73,23 @@ fn unfinished(args: &ShowArgs, error: BadInput) -> BadInput {
     }
 }
 
-/// A row of `summary.csv`: names and cells.
-struct Row(Vec<(String, String)>);
+/// A row of `summary.csv`: names, which all rows share, and cells.
+struct Row(Rc<StringRecord>, StringRecord);
 
 fn rows(path: &Path) -> anyhow::Result<Vec<Row>> {
     let bad = |error: csv::Error| BadInput::of(path, error);
     let mut reader = csv::Reader::from_path(path).map_err(bad)?;
-    let names: Vec<_> = reader.headers().map_err(bad)?.iter().map(str::to_owned).collect();
-    let row = |record: csv::Result<csv::StringRecord>| {
-        let cells = record.map_err(bad)?;
-        Ok(Row(names.iter().cloned().zip(cells.iter().map(str::to_owned)).collect()))
-    };
-    reader.records().map(row).collect()
+    let names = Rc::new(reader.headers().map_err(bad)?.clone());
+    reader.records().map(|cells| Ok(Row(names.clone(), cells.map_err(bad)?))).collect()
 }
 
 impl Row {
+    fn cells(&self) -> impl Iterator<Item = (&str, &str)> {
+        self.0.iter().zip(&self.1)
+    }
+
     fn cell(&self, name: &str) -> &str {
-        let cell = self.0.iter().find(|(own, _)| own == name);
-        cell.map_or("", |(_, cell)| cell.as_str())
+        self.cells().find(|(own, _)| *own == name).map_or("", |(_, cell)| cell)
     }
 
     fn number(&self, name: &str) -> Option<f64> {
@@ -136,7 +137,7 @@ impl Row {
             if name == CASE_ID.name { text.into() } else { cell(text) }
         };
         let cells: Map<_, _> =
-            self.0.iter().map(|(name, text)| (name.clone(), id(name, text))).collect();
+            self.cells().map(|(name, text)| (name.to_owned(), id(name, text))).collect();
         json!({ "case": cells, "files": json_paths(files) })
     }
 }
