@@ -98,3 +98,32 @@ fn of_regular_waves_no_first_impact_is_told() {
     let first = table.lines().skip(1).map(|line| line.split(',').nth(at.unwrap()).unwrap());
     assert!(first.clone().count() == 2 && first.into_iter().all(str::is_empty), "{table}");
 }
+
+/// The story: a recorded stroke was called `H/h = 0.5`, the default of a key that nobody had set. When the number was
+/// left out of the rows, curves and maps went with it.
+#[test]
+fn a_recorded_stroke_is_not_called_by_a_height_that_nobody_asked_for() {
+    let stroke = "time_s,stroke_m\n0,0\n0.2,0.02\n0.4,0.08\n0.6,0.1\n0.8,0.1\n";
+    let scene = "name = \"record\"\n[scene]\ntank_length_m = 1.2\nwave_gauge_m = 0.6\nend_time_s = 1.5\n\
+                 paddle = \"recorded-stroke\"\nwall = \"movable\"\nspring_stiffness_n_per_m = 1000\n\
+                 [numerics]\nparticle_spacing_m = 0.03\n[grid]\nseawall_mass_kg_per_m = [50, 100]\n";
+    let desk = Desk::new("");
+    let path = desk.path().join("stroke.csv");
+    fs::write(&path, stroke).unwrap();
+    let told = |more: &str| {
+        let named = format!("[scene]\n{more}recorded_stroke = {:?}\n", path.to_str().unwrap());
+        desk.write(&scene.replace("[scene]\n", &named));
+        desk.sweep(&["--film", "none", "--fresh"]);
+        let page = fs::read_to_string(desk.out.join("report.html")).unwrap();
+        // Comments of the script have their own example.
+        let page = page.lines().filter(|line| !line.starts_with("//")).collect::<String>();
+        (page, ended(0, &["show", &desk.dir, "m=50"]).out)
+    };
+    let (page, shown) = told("");
+    assert!(!page.contains("H/h = ") && !shown.contains("H/h  "), "{page}{shown}");
+    for kept in ["m = 50 kg/m", "recorded stroke</", "Histories, recorded stroke"] {
+        assert!(page.contains(kept), "{kept}");
+    }
+    let (page, shown) = told("wave_height_ratio = 0.4\n");
+    assert!(page.contains("H/h = 0.4") && shown.contains("H/h  "), "{page}{shown}");
+}

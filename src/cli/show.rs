@@ -15,10 +15,11 @@ use crate::keys;
 use crate::math::words::counted;
 use crate::quantities::summary::{
     ALL, CASE_ID, COARSE_SPACING, DOUBTFUL_REASON, MEASURED_WAVE_HEIGHT_RATIO, PARTICLES_LOST,
-    REASON, STATUS, STOP_IMPULSE,
+    REASON, STATUS, STOP_IMPULSE, WAVE_HEIGHT_RATIO,
 };
 use crate::quantities::{Column, Unit, named};
-use crate::report::{plain, spoken};
+use crate::report::load::Loaded;
+use crate::report::{self, plain, spoken};
 use crate::results::Manifest;
 
 /// Show one case of a finished study: its parameters, results, error bars, health and files.
@@ -54,9 +55,13 @@ pub(super) fn main(args: &ShowArgs, output: &Output) -> anyhow::Result<u8> {
     let fixed = |key: &str| in_every_case(&stored::file_and_study(&args.dir).ok()?.1, key);
     let place = the_one(&keys, &fixed, &choices, &args.case);
     let left = rows.len() < cases;
-    let row = &rows[place.map_err(|error| if left { unfinished(args, error) } else { error })?];
+    let place = place.map_err(|error| if left { unfinished(args, error) } else { error })?;
+    let row = &rows[place];
     let files = files(&args.dir, row.cell(CASE_ID.name));
-    output.result(&told(row, &keys, &files), &row.json(&files))?;
+    // What the study's file says of its paddle.
+    let known = Loaded::read(&args.dir).ok().and_then(|data| data.rows.into_iter().nth(place));
+    let text = told(row, &known.unwrap_or_default(), &keys, &files);
+    output.result(&text, &row.json(&files))?;
     Ok(SUCCESS)
 }
 
@@ -161,7 +166,7 @@ fn files(directory: &Path, id: &str) -> Vec<PathBuf> {
     places.map(path).filter(|path| path.is_file()).collect()
 }
 
-fn told(row: &Row, keys: &[String], files: &[PathBuf]) -> String {
+fn told(row: &Row, known: &report::Row, keys: &[String], files: &[PathBuf]) -> String {
     // What trains leave: of regular waves none is the first impact.
     let regular = files.iter().any(|file| file.parent().is_some_and(|of| of.ends_with("waves")));
     let mut text = format!("case {}: {}\n", row.cell(CASE_ID.name), row.cell(STATUS.name));
@@ -175,7 +180,8 @@ fn told(row: &Row, keys: &[String], files: &[PathBuf]) -> String {
     for (title, columns) in [("", parameters), ("\nresults\n", results), ("\nhealth\n", health)] {
         text.push_str(title);
         for column in columns {
-            let idle = regular && column.is_of_first_impact();
+            let idle = (regular && column.is_of_first_impact())
+                || (known.unasked && column == &WAVE_HEIGHT_RATIO);
             if let Some(value) = row.value(column).filter(|_| !idle) {
                 text.push_str(&line(&column.heading_without_unit(), &value));
             }

@@ -11,7 +11,7 @@ use serde_json::Value;
 
 use super::error::ReportError;
 use super::omitted::Omitted;
-use super::row::{Header, REGULAR, Row};
+use super::row::{Header, RECORDED, REGULAR, Row};
 use super::study::{Key, StudyFile, keys};
 use super::variant::name_variants;
 use crate::keys::number;
@@ -50,10 +50,12 @@ impl Loaded {
         let paddle = file.as_ref().and_then(|file| file.scene.get("paddle")?.as_str());
         let wall = file.as_ref().and_then(|file| file.scene.get("wall")?.as_str());
         let wall: Option<Arc<str>> = wall.map(Arc::from);
+        let asks = file.as_ref().is_none_or(|file| file.gives(summary::WAVE_HEIGHT_RATIO.name));
         for row in &mut rows {
             row.wall.clone_from(&wall);
             row.wall_angle_deg = row.wall_angle_deg.or(angle);
             row.regular |= paddle == Some(REGULAR);
+            row.unasked = !asks && (row.unasked || paddle == Some(RECORDED));
         }
         let (directory, omitted) = (directory.to_owned(), Omitted::default());
         Ok(Loaded { rows, energy, manifest, keys, directory, is_part: false, omitted })

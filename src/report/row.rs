@@ -1,13 +1,14 @@
 //! One row of `summary.csv`, as far as the report needs it.
 
 mod ends;
+mod words;
 
 use std::collections::HashMap;
 use std::sync::Arc;
 
 use self::ends::Ends;
+pub(super) use self::words::label;
 use super::number;
-use super::spoken::all_spoken;
 use crate::quantities::summary::{
     CASE_ID, FORCE_AT_REST, SEAWALL_MASS, SPRING_STIFFNESS, STATUS, STOPS, WAVE_HEIGHT_RATIO,
 };
@@ -18,6 +19,9 @@ pub(super) const PLACE: [&Column; 3] = [&WAVE_HEIGHT_RATIO, &SPRING_STIFFNESS, &
 
 /// What `paddle` is where waves are regular.
 pub(super) const REGULAR: &str = "wave-train";
+
+/// What `paddle` is where it plays a record.
+pub(super) const RECORDED: &str = "recorded-stroke";
 
 /// The key that tells kinds of paddles apart, where it was swept.
 const PADDLE: &str = "paddle";
@@ -55,6 +59,8 @@ pub struct Row {
     pub wall_angle_deg: Option<f64>,
     /// The paddle makes regular waves.
     pub regular: bool,
+    /// The paddle plays a record, and nobody asked for a wave height. Words leave it out; it stays the row's place.
+    pub unasked: bool,
     /// What `wall` says in the study's file, where it was not swept.
     pub wall: Option<Arc<str>>,
     /// Which of several runs with the same wave and wall this is, such as `boundary = sfdi`;
@@ -84,8 +90,8 @@ impl Row {
         let (header, text, ends) = (header.clone(), text.into(), Ends::of(&ends));
         let row = Row { header, text, ends, ..Row::default() };
         let wall_angle_deg = row.named("wall_angle_deg").parse().ok();
-        let regular = row.named(PADDLE) == REGULAR;
-        Ok(Row { wall_angle_deg, regular, ..row })
+        let [regular, unasked] = [REGULAR, RECORDED].map(|paddle| row.named(PADDLE) == paddle);
+        Ok(Row { wall_angle_deg, regular, unasked, ..row })
     }
 
     /// Whether a column of this name means nothing for this case: the first impact of regular waves.
@@ -193,28 +199,6 @@ impl Row {
         self.wall_angle_deg.is_none_or(|angle| angle == 90.0)
     }
 
-    /// What tells this case from the sweep's others; empty where it is the only one.
-    pub fn words(&self) -> String {
-        let mut parts = self.place_in_words();
-        parts.extend((!self.variant.is_empty()).then(|| all_spoken(&self.variant)));
-        // Fixed, on a spring or a caisson: numbers alone do not say which.
-        let wall = Some(self.named(WALL)).filter(|wall| !wall.is_empty());
-        let wall = wall.map(|wall| format!("{WALL} = {wall}"));
-        parts.extend(wall.filter(|wall| !self.variant.contains(wall)));
-        parts.join(", ")
-    }
-
-    /// The same, or its identity where nothing tells it from others.
-    pub fn title(&self) -> String {
-        Some(self.words()).filter(|words| !words.is_empty()).unwrap_or_else(|| self.id().to_owned())
-    }
-
-    /// Wave, stiffness and mass in words, as far as it has them.
-    pub(super) fn place_in_words(&self) -> Vec<String> {
-        let part = |column: &&'static Column| Some(label(column, self.number(column)?));
-        PLACE.iter().filter_map(part).collect()
-    }
-
     /// Wave, stiffness and mass as bits, so that they can be compared and sorted on.
     pub(super) fn place(&self) -> [u64; 3] {
         PLACE.map(|column| self.number(column).unwrap_or(f64::NAN).to_bits())
@@ -230,13 +214,8 @@ impl Row {
         let own = (column.name.to_owned(), value.to_string());
         let cells: Vec<_> = others.chain([own]).collect();
         let header = Arc::new(Header::new(cells.iter().map(|(name, _)| name.as_str())));
-        let Row { wall_angle_deg, regular, wall, variant, .. } = self;
+        let Row { wall_angle_deg, regular, unasked, wall, variant, .. } = self;
         let row = Row::new(&header, cells.iter().map(|(_, cell)| cell.as_str())).unwrap();
-        Row { wall_angle_deg, regular, wall, variant, ..row }
+        Row { wall_angle_deg, regular, unasked, wall, variant, ..row }
     }
-}
-
-/// A parameter and its value as one writes them: `k = 10 N/m`.
-pub(super) fn label(column: &Column, value: f64) -> String {
-    column.told("=", &number::minus(&number::plain(value)))
 }

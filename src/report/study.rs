@@ -62,6 +62,11 @@ impl StudyFile {
         })
     }
 
+    /// Whether a key of the scene has a value there, or several.
+    pub fn gives(&self, key: &str) -> bool {
+        [&self.scene, &self.grid].iter().any(|table| table.contains_key(key))
+    }
+
     /// `[scene]` and `[numerics]` of a row, from these numerics and its swept keys, without what its wall or
     /// paddle does not have; `None` where a key is not known.
     pub fn of_row(&self, keys: &[Key], row: usize, numerics: &Table) -> Option<[Table; 2]> {

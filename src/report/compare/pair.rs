@@ -169,7 +169,8 @@ fn point(a: &Side, b: &Side) -> String {
         let [a, b] = values.map(|value| value.map_or_else(|| "-".to_owned(), plain));
         Some(column.told("=", &format!("{a} | {b}")))
     };
-    let parts = PLACE.iter().filter_map(part);
+    let unasked = a.row.unasked && b.row.unasked;
+    let parts = PLACE.iter().skip(usize::from(unasked)).filter_map(part);
     let mut parts: Vec<String> = parts.collect();
     let variants = [&a.row.variant, &b.row.variant];
     if variants.iter().any(|variant| !variant.is_empty()) {

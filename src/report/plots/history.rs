@@ -5,7 +5,7 @@
 use std::collections::HashMap;
 
 use super::look::Look;
-use super::marks::{said, shown_are};
+use super::marks::{said, shown_are, wave_said};
 use super::over_time::{self, Strip};
 use super::{COMBINATIONS, Figure, SERIES, file_name, left_out, of_variant};
 use crate::math::words::counted;
@@ -38,7 +38,10 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     let few_waves = left_out(waves.len(), WAVES, "wave heights");
     for wave in spread(&waves, WAVES) {
         let rows = data.finished().filter(|row| row.number(&WAVE_HEIGHT_RATIO) == Some(wave));
-        let groups = groups(rows.collect());
+        let rows: Vec<_> = rows.collect();
+        let called =
+            wave_said(rows.iter().copied(), format!("H/h = {}", number::plain_to(wave, digits)));
+        let groups = groups(rows);
         let few_groups = left_out(groups.len(), SERIES, COMBINATIONS);
         let wave = number::plain_to(wave, digits);
         for rows in spread(&groups, SERIES) {
@@ -58,7 +61,7 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
                      {drop}{few_groups}{few_waves}",
                     if moves(&lines) { ", runup and displacement" } else { " and runup" }
                 ),
-                title: format!("Histories, H/h = {wave}{}", of_variant(variant)),
+                title: format!("Histories, {called}{}", of_variant(variant)),
                 name: file_name(&format!("history-wave-{wave}"), variant),
             });
         }
@@ -126,7 +129,7 @@ fn read(data: &Loaded, chosen: Vec<(String, &Row)>) -> Result<Vec<Line>, ReportE
 
 /// At most [`CURVES`] cases that are told apart by their variants, with the same as [`choose`].
 fn gather<'a>(rows: &[&'a Row]) -> (Vec<(String, &'a Row)>, String, String) {
-    let wall = |row: &Row| row.place_in_words().split_off(1).join(", ");
+    let wall = |row: &Row| row.wall_in_words().join(", ");
     let first = wall(rows[0]);
     let alike = rows.iter().all(|row| wall(row) == first);
     let label = |row: &'a Row| {

@@ -4,7 +4,7 @@
 use super::axes::Axis;
 use super::bar::Bar;
 use super::chart::{Cell, Chart};
-use super::marks::{coupling, key, picked, told};
+use super::marks::{coupling, key, picked, said, told};
 use super::sheet::{Drawing, Layout};
 use super::text::{SMALL, width};
 use super::ticks::FEWEST;
@@ -14,7 +14,7 @@ use crate::quantities::summary::{FIRST_FORCE_MAX, LOG10_K_STAR, M_STAR, WAVE_HEI
 use crate::report::curves::{distinct, responses, spread, variants};
 use crate::report::load::Loaded;
 use crate::report::number::significant;
-use crate::report::row::{Row, label};
+use crate::report::row::Row;
 
 /// What is mapped.
 const SHOWN: &Column = &FIRST_FORCE_MAX;
@@ -45,8 +45,10 @@ fn figure(data: &Loaded, variant: &str) -> Option<Figure> {
         let cells = own.filter_map(|row| cell(row, &columns, &lines, &bar)).collect();
         let (x, y) = (steps(&columns, &LOG10_K_STAR), steps(&lines, &M_STAR));
         let (title, names) = (LOG10_K_STAR.heading(), [LOG10_K_STAR.name, M_STAR.name]);
-        let chart = Chart::new((x, y), [&title, M_STAR.symbol], names, Vec::new())
-            .under(label(&WAVE_HEIGHT_RATIO, *wave), key(&WAVE_HEIGHT_RATIO, *wave));
+        let chart = Chart::new((x, y), [&title, M_STAR.symbol], names, Vec::new()).under(
+            said(rows.iter().copied(), &WAVE_HEIGHT_RATIO, *wave),
+            key(&WAVE_HEIGHT_RATIO, *wave),
+        );
         Chart { cells, ..chart }
     };
     let charts = shown.iter().map(chart).collect();

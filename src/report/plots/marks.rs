@@ -5,7 +5,7 @@ use super::legend::Entry;
 use super::look::Look;
 use crate::quantities::Column;
 use crate::quantities::summary::{
-    FORCE_COUPLING, LOG10_K_STAR, M_STAR, SEAWALL_MASS, SPRING_STIFFNESS,
+    FORCE_COUPLING, LOG10_K_STAR, M_STAR, SEAWALL_MASS, SPRING_STIFFNESS, WAVE_HEIGHT_RATIO,
 };
 use crate::report::curves::distinct;
 use crate::report::number::{minus, plain, with_digits, with_error};
@@ -77,9 +77,20 @@ pub fn said<'a>(
         }
     };
     let both = pair.and_then(|(own, ratio)| Some(((own, one(own)?), (ratio, one(ratio)?))));
-    let Some(((own, typed), (ratio, known))) = both else { return label(column, value) };
+    let Some(((own, typed), (ratio, known))) = both else {
+        let words = label(column, value);
+        let same = cases.filter(|row| row.number(column) == Some(value));
+        return if column == &WAVE_HEIGHT_RATIO { wave_said(same, words) } else { words };
+    };
     let known = minus(&with_digits(known, ratio.digits).unwrap_or_else(|| plain(known)));
     format!("{} ({} = {known})", label(own, typed), ratio.symbol)
+}
+
+/// The wave of these cases: its height in `words`, but of a record that nobody gave a height.
+pub fn wave_said<'a>(cases: impl Iterator<Item = &'a Row>, words: String) -> String {
+    let mut unasked = cases.map(|row| row.unasked).peekable();
+    let any = unasked.peek().is_some();
+    if any && unasked.all(|unasked| unasked) { "recorded stroke".to_owned() } else { words }
 }
 
 /// A value of a column as programs read it.
@@ -161,6 +172,23 @@ mod tests {
         let soft = row(10.0, 0.25).with(&SPRING_STIFFNESS, 100).with(&LOG10_K_STAR, -0.593);
         let told = said([&soft].into_iter(), &SPRING_STIFFNESS, 100.0);
         assert_eq!(told, "k = 100 N/m (log₁₀ k* = \u{2212}0.59)");
+    }
+
+    #[test]
+    fn a_record_that_nobody_gave_a_height_is_said_without_one() {
+        let row = |unasked| {
+            let mut row = Row::default().with(&WAVE_HEIGHT_RATIO, 0.5);
+            row.unasked = unasked;
+            row
+        };
+        let told = |unasked: &[bool]| {
+            let rows: Vec<_> = unasked.iter().map(|unasked| row(*unasked)).collect();
+            said(rows.iter(), &WAVE_HEIGHT_RATIO, 0.5)
+        };
+        assert_eq!(told(&[true, true]), "recorded stroke");
+        assert_eq!([told(&[true, false]), told(&[])], ["H/h = 0.5", "H/h = 0.5"]);
+        assert!(row(true).words().is_empty() && row(true).wall_in_words().is_empty());
+        assert_eq!(row(true).number(&WAVE_HEIGHT_RATIO), Some(0.5), "its place");
     }
 
     #[test]

@@ -164,7 +164,8 @@ fn in_brief(groups: &[Group<'_>], after_some: bool) -> String {
     let (some, none) = (waves(true), waves(false));
     let [no_wall, too] =
         if after_some { ["no wall halves it", ", too"] } else { ["no wall halves it either", ""] };
-    if some.len() + none.len() < groups.len() {
+    // What nobody gave a height is told apart by its number alone.
+    if some.len() + none.len() < groups.len() || groups.iter().any(|one| one.stiffest.unasked) {
         let halved = groups.iter().filter(|group| group.halved().next().is_some()).count();
         let all = counted(groups.len(), "other combination") + " of wave and settings";
         return match halved {

@@ -1,0 +1,43 @@
+//! A case in words.
+
+use super::{PLACE, Row, WALL};
+use crate::quantities::Column;
+use crate::report::number;
+use crate::report::spoken::all_spoken;
+
+impl Row {
+    /// What tells this case from the sweep's others; empty where it is the only one.
+    pub fn words(&self) -> String {
+        let mut parts = self.place_in_words();
+        parts.extend((!self.variant.is_empty()).then(|| all_spoken(&self.variant)));
+        // Fixed, on a spring or a caisson: numbers alone do not say which.
+        let wall = Some(self.named(WALL)).filter(|wall| !wall.is_empty());
+        let wall = wall.map(|wall| format!("{WALL} = {wall}"));
+        parts.extend(wall.filter(|wall| !self.variant.contains(wall)));
+        parts.join(", ")
+    }
+
+    /// The same, or its identity where nothing tells it from others.
+    pub fn title(&self) -> String {
+        Some(self.words()).filter(|words| !words.is_empty()).unwrap_or_else(|| self.id().to_owned())
+    }
+
+    /// Wave, stiffness and mass in words, as far as it has them.
+    pub(in crate::report) fn place_in_words(&self) -> Vec<String> {
+        self.words_of(&PLACE[usize::from(self.unasked)..])
+    }
+
+    /// The same without the wave.
+    pub(in crate::report) fn wall_in_words(&self) -> Vec<String> {
+        self.words_of(&PLACE[1..])
+    }
+
+    fn words_of(&self, columns: &[&'static Column]) -> Vec<String> {
+        columns.iter().filter_map(|column| Some(label(column, self.number(column)?))).collect()
+    }
+}
+
+/// A parameter and its value as one writes them: `k = 10 N/m`.
+pub(in crate::report) fn label(column: &Column, value: f64) -> String {
+    column.told("=", &number::minus(&number::plain(value)))
+}
