@@ -85,6 +85,8 @@ fn of_regular_waves_no_first_impact_is_told() {
     assert!(
         crate::common::column(&desk.out, "first_force_max").iter().any(|cell| !cell.is_empty())
     );
+    // A study that was moved without its files of waves is still one of a train.
+    fs::rename(desk.out.join("waves"), desk.path().join("waves")).unwrap();
     let shown = ended(0, &["show", &desk.dir, &ids[0]]).out;
     let word = |word: &str| shown.lines().any(|line| line.trim_start().starts_with(word));
     assert!(word("F* max") && !word("first") && !word("rise time"), "{shown}");

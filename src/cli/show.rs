@@ -167,8 +167,6 @@ fn files(directory: &Path, id: &str) -> Vec<PathBuf> {
 }
 
 fn told(row: &Row, known: &report::Row, keys: &[String], files: &[PathBuf]) -> String {
-    // What trains leave: of regular waves none is the first impact.
-    let regular = files.iter().any(|file| file.parent().is_some_and(|of| of.ends_with("waves")));
     let mut text = format!("case {}: {}\n", row.cell(CASE_ID.name), row.cell(STATUS.name));
     let (results, health, parameters) = groups();
     text.push_str("\nparameters\n");
@@ -180,7 +178,8 @@ fn told(row: &Row, known: &report::Row, keys: &[String], files: &[PathBuf]) -> S
     for (title, columns) in [("", parameters), ("\nresults\n", results), ("\nhealth\n", health)] {
         text.push_str(title);
         for column in columns {
-            let idle = (regular && column.is_of_first_impact())
+            // Of regular waves none is the first impact, and a record has no height that nobody asked for.
+            let idle = (known.regular && column.is_of_first_impact())
                 || (known.unasked && column == &WAVE_HEIGHT_RATIO);
             if let Some(value) = row.value(column).filter(|_| !idle) {
                 text.push_str(&line(&column.heading_without_unit(), &value));
