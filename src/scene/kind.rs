@@ -103,7 +103,7 @@ impl Kind {
     pub const DEFAULT: Kind = Kind::Seawall;
 
     /// That of a `[scene]` table.
-    pub(super) fn of(scene: &Table) -> Result<Kind, ConfigError> {
+    pub fn of(scene: &Table) -> Result<Kind, ConfigError> {
         Ok(OfKind::read(scene, None)?.kind)
     }
 }

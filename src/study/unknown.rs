@@ -3,7 +3,7 @@
 use toml::{Table, Value};
 
 use crate::quantities::name_of_symbol;
-use crate::scene::{ConfigError, Place, place_of, unknown_keys};
+use crate::scene::{ConfigError, Kind, Place, place_of, scene_keys, unknown_keys};
 
 /// So many are told behind the first.
 const MOST: usize = 3;
@@ -41,7 +41,21 @@ pub(super) fn meant(key: &str, file: &Table) -> Option<ConfigError> {
     let scene = file.get("scene").and_then(Value::as_table).cloned().unwrap_or_default();
     let own = place_of(name, &scene).ok()?.name();
     let section = if section == "grid" { section } else { own };
-    Some(ConfigError::misplaced(key, &format!("{section}.{name}")))
+    let error = ConfigError::misplaced(key, &format!("{section}.{name}"));
+    let allowed = error.allowed + &apart(name, &scene, file).unwrap_or_default();
+    Some(ConfigError { allowed, ..error })
+}
+
+/// Of a key that this file's wall or paddle does not have, whose it is: ` It belongs to wall = "movable"; ...`.
+fn apart(name: &str, scene: &Table, file: &Table) -> Option<String> {
+    let keys = scene_keys(Kind::of(scene).ok()?);
+    let known = |name: &str| keys.iter().find(|key| key.name == name);
+    let when = known(name)?.rule.only?;
+    let own = scene.get(when.key).cloned().or_else(|| (known(when.key)?.default)())?;
+    let swept = file.get("grid").is_some_and(|grid| grid.get(when.key).is_some());
+    let holds = own.as_str().is_none_or(|own| when.values.contains(&own));
+    let means = if own.as_str() == Some("fixed") { ", which stands still" } else { "" };
+    (!swept && !holds).then(|| format!(" It belongs to {when}; here {} = {own}{means}", when.key))
 }
 
 /// The unknown keys of `[scene]`, `[numerics]` and `[grid]`.
@@ -90,11 +104,28 @@ mod tests {
     #[test]
     fn a_symbol_is_told_with_its_key() {
         let asked = |key: &str, meant: &str| format!("{key}: unknown key; did you mean {meant}?");
-        let scene = "name = \"a\"\n[scene]\nk = 10";
+        let scene = "name = \"a\"\n[scene]\nwall = \"movable\"\nk = 10";
         assert_eq!(told(scene), asked("scene.k", "scene.spring_stiffness_n_per_m"));
-        let grid = "name = \"a\"\n[grid]\nm = [10]";
-        assert_eq!(told(grid), asked("grid.m", "grid.seawall_mass_kg_per_m"));
+        for walls in
+            ["[scene]\nwall = \"caisson\"\n[grid]", "[grid]\nwall = [\"fixed\", \"movable\"]"]
+        {
+            let grid = format!("name = \"a\"\n{walls}\nm = [10]");
+            assert_eq!(told(&grid), asked("grid.m", "grid.seawall_mass_kg_per_m"));
+        }
         assert_eq!(told("name = \"a\"\n\"H/h\" = 1"), asked("H/h", "scene.wave_height_ratio"));
+    }
+
+    /// `--set k=3` before a fixed wall named the spring's key, which was then refused.
+    #[test]
+    fn a_symbol_of_another_wall_is_told_with_that_wall() {
+        let asked = "scene.k: unknown key; did you mean scene.spring_stiffness_n_per_m? It belongs to \
+                     wall = \"movable\"; here wall = \"fixed\", which stands still";
+        assert_eq!(told("name = \"a\"\n[scene]\nk = 10"), asked);
+        let caisson = told("name = \"a\"\n[scene]\nwall = \"caisson\"\nk = 10");
+        assert!(
+            caisson.ends_with("belongs to wall = \"movable\"; here wall = \"caisson\""),
+            "{caisson}"
+        );
     }
 
     #[test]
