@@ -55,12 +55,7 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
             let drop = dropped(lines.len(), rows.len(), "of this wave height", &picked);
             figures.push(Figure {
                 drawing: over_time::strips(&strips(&lines)),
-                caption: format!(
-                    "Force (unfiltered){} at the wall{common}, over the time since the \
-                     paddle's start. Spikes of one or two samples may leave the panel.\
-                     {drop}{few_groups}{few_waves}",
-                    if moves(&lines) { ", runup and displacement" } else { " and runup" }
-                ),
+                caption: format!("{}{drop}{few_groups}{few_waves}", shown(&lines, &common)),
                 title: format!("Histories, {called}{}", of_variant(variant)),
                 name: file_name(&format!("history-wave-{wave}"), variant),
             });
@@ -193,9 +188,28 @@ fn moves(lines: &[Line]) -> bool {
     lines.iter().flat_map(|line| line.history.points(DISPLACEMENT.name)).any(|(_, x)| *x != 0.0)
 }
 
+/// Water stands at the wall or comes to it: one that stands dry under waves that end before it has no force to show.
+fn presses(lines: &[Line]) -> bool {
+    lines.iter().flat_map(|line| line.history.points(FORCE.name)).any(|(_, force)| *force != 0.0)
+}
+
+/// What is drawn, in words.
+fn shown(lines: &[Line], common: &str) -> String {
+    let what = match (presses(lines), moves(lines)) {
+        (false, _) => "Runup before the wall, to which no water comes: it has no force",
+        (true, true) => "Force (unfiltered), runup and displacement at the wall",
+        (true, false) => "Force (unfiltered) and runup at the wall",
+    };
+    let spikes = match presses(lines) {
+        true => " Spikes of one or two samples may leave the panel.",
+        false => "",
+    };
+    format!("{what}{common}, over the time since the paddle's start.{spikes}")
+}
+
 fn strips(lines: &[Line]) -> Vec<Strip> {
     let all = [&FORCE, &RUNUP, &DISPLACEMENT];
-    let drawn = if moves(lines) { &all[..] } else { &all[..2] };
+    let drawn = &all[usize::from(!presses(lines))..if moves(lines) { 3 } else { 2 }];
     let curve = |(index, line): (usize, &Line), name: &str| {
         let points = line.history.points(name).to_vec();
         let mut curve = over_time::Line::new(index, &line.label, &line.case, points);

@@ -1,3 +1,5 @@
+use std::fs;
+
 use super::*;
 use crate::quantities::summary::LOG10_K_STAR;
 use crate::report::fixture;
@@ -99,4 +101,25 @@ fn a_quantity_that_is_naught_throughout_has_no_panel() {
 fn a_fixed_wall_has_two_panels_and_a_caption_of_both() {
     let caption = &drawn(&fixture::fixed())[0].caption;
     assert!(caption.starts_with("Force (unfiltered) and runup at the wall"), "{caption}");
+}
+
+/// The story: a beach before a dry wall had a panel of a force of naught.
+#[test]
+fn a_wall_that_no_water_comes_to_has_no_panel_of_its_force() {
+    let (directory, data) = fixture::read(fixture::fixed());
+    let figure = |force: &str| {
+        for row in data.finished() {
+            let path = directory.path().join("histories").join(format!("{}.csv", row.id()));
+            fs::write(
+                path,
+                format!("time_s,force,runup,displacement\n0,0,0.1,0\n0.1,{force},0.2,0\n"),
+            )
+            .unwrap();
+        }
+        figures(&Loaded::read(directory.path()).unwrap()).unwrap().remove(0)
+    };
+    let [dry, wet] = ["0", "0.3"].map(figure);
+    assert!(!dry.svg().contains("\"force\"") && dry.svg().contains("\"runup\""));
+    assert!(dry.caption.contains("no water comes: it has no force"), "{}", dry.caption);
+    assert!(wet.svg().contains("\"force\"") && wet.caption.starts_with("Force"));
 }
