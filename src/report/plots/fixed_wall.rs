@@ -1,6 +1,8 @@
 //! Runup and force at a fixed wall against the wave's height; at an upright wall beside Goda's formula,
 //! over a level bed beside the exact solitary wave, too.
 
+mod exact;
+
 use super::axes::Axis;
 use super::chart::{Chart, Curve, Point, places, reach};
 use super::legend::Entry;
@@ -19,22 +21,10 @@ use crate::report::load::Loaded;
 use crate::report::number::significant;
 use crate::report::row::Row;
 
-/// What is drawn, side by side, and where it stands in [`EXACT`].
+/// What is drawn, side by side, and where it stands in [`exact::line`].
 const SIDES: [(&Column, usize); 2] = [(&FIRST_RUNUP_MAX, 1), (&FIRST_FORCE_MAX, 2)];
 /// What is drawn of regular waves, and before walls that stand dry.
 const OF_ALL: [(&Column, usize); 2] = [(&RUNUP_MAX, 1), (&FORCE_MAX, 2)];
-
-/// The exact solitary wave of the Euler equations, reflected by a vertical wall: H/h, runup over
-/// h, and the first peak of F/(½ρgh²). A wave of no height leaves still water.
-const EXACT: [[f64; 3]; 7] = [
-    [0.0, 0.0, 1.0],
-    [0.1, 0.20555, 1.4245],
-    [0.2, 0.42413, 1.8726],
-    [0.3, 0.6602, 2.3015],
-    [0.4, 0.9237, 2.6779],
-    [0.5, 1.2384, 3.0617],
-    [0.6, 1.66, 3.489],
-];
 
 /// The figure of every variant with fixed walls and waves.
 pub fn figures(data: &Loaded) -> Vec<Figure> {
@@ -137,8 +127,8 @@ impl Beside {
     fn caption(&self, vertical: bool) -> &'static str {
         match self {
             Beside::Exact => {
-                " Line: the exact solitary wave of the Euler equations reflected by a vertical wall. \
-                 Beside the force Goda's formula of 1974 for an upright wall, in the limit of long \
+                " Line: the exact solitary wave of the Euler equations reflected by a vertical wall, \
+                 computed for seven heights and smooth between them. Beside the force Goda's formula of 1974 for an upright wall, in the limit of long \
                  waves, with the solitary wave's height for H."
             }
             Beside::Goda(_) => {
@@ -159,10 +149,9 @@ impl Beside {
     /// Goda's curve over places on the horizontal axis; where it is not the same for all cases, a point
     /// for each.
     fn goda(&self, rows: &[&Row], wave: &Column) -> Option<Curve> {
-        let waves = || EXACT.iter().map(|known| known[0]);
         let line = |setting: Setting| {
             let words = if setting.is_plain() { "Goda, long waves" } else { "Goda" };
-            let points = waves().map(|wave| (wave, setting.force(wave)));
+            let points = exact::waves().map(|wave| (wave, setting.force(wave)));
             Curve::through(Entry::line(words, Look::of(1)), points)
         };
         match self {
@@ -195,11 +184,11 @@ fn drawing(
     measured: bool,
 ) -> Drawing {
     let wave = if measured { &MEASURED_WAVE_HEIGHT_RATIO } else { &WAVE_HEIGHT_RATIO };
-    let chart = |&(column, exact): &(&Column, usize)| {
+    let chart = |&(column, place): &(&Column, usize)| {
         let mut curves = Vec::new();
         if matches!(beside, Beside::Exact) {
             let entry = Entry::line("exact solitary wave", Look::plain());
-            curves.push(Curve::through(entry, EXACT.map(|known| (known[0], known[exact]))));
+            curves.push(Curve::through(entry, exact::line(place)));
         }
         if sides.iter().position(|side| side.0 == column) == Some(1) {
             curves.extend(beside.goda(rows, wave));
