@@ -228,3 +228,23 @@ fn what_cannot_be_compared_is_told() {
     let same = ended(0, &["compare", &one, &one]);
     assert!(!same.out.contains("They differ in"));
 }
+
+#[test]
+fn a_figure_tells_before_it_runs_what_it_needs() {
+    let root = tempfile::tempdir().unwrap();
+    let out = root.path().join("out");
+    let figure = ["reproduce", "liang2017", "--figure", "9", "--out", out.to_str().unwrap()];
+    let command = [&figure[..], &["--set", "numerics.particle_spacing_m=0.04"]].concat();
+    let dry = [&command[..], &["--dry-run"]].concat();
+    let told = ended(0, &dry).out;
+    assert!(told.starts_with("Fig. 9 of liang2017: ") && told.contains("single_wall"), "{told}");
+    assert!(told.contains("2 cases, about") && told.ends_with("nothing was run\n"), "{told}");
+    assert!(!out.exists());
+    ended(0, &command);
+    let after = ended(0, &dry).out;
+    assert!(after.contains("in all, 2 of them finished, into"), "{after}");
+    let json = ended(0, &[&dry[..], &["--fresh", "--format", "json"]].concat()).json();
+    assert_eq!((&json["runs"][0]["cases"], &json["runs"][0]["finished"]), (&2.into(), &0.into()));
+    let error = ended(2, &["reproduce", "--list", "--dry-run"]).err;
+    assert!(error.contains("--dry-run"), "{error}");
+}

@@ -1,10 +1,13 @@
 //! `seawall reproduce`: a figure of a paper, from the runs that it needs.
 
+mod runs;
+
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use serde_json::{Value, json};
 
+use self::runs::{needed, study};
 use super::execute::on_threads;
 use super::failure::BadInput;
 use super::input::Setting;
@@ -16,16 +19,17 @@ use super::printed::told;
 use super::{INTERRUPTED, SUCCESS, cost, options};
 use crate::keys::named;
 use crate::math::words::counted;
-use crate::papers::{Recipe, Run, files, paper, recipes};
+use crate::papers::{Recipe, Run, paper, recipes};
 use crate::report::Reproduced;
 use crate::results::{Derived, MADE_BY_SWEEPS, OpenMode};
 use crate::scene::ConfigError;
-use crate::study::{Study, SweepFile};
+use crate::study::Study;
 
 /// Make a figure of a paper: run the cases that it needs, draw it, and set the printed numbers beside it.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   seawall reproduce --list
+  seawall reproduce liang2017 --figure 12 --dry-run
   seawall reproduce liang2017 --figure 12
   seawall reproduce huang2019 --figure 9 --figures pdf
   seawall reproduce liang2017 --figure 13 --set numerics.particle_spacing_m=0.016 --out results/runs/coarse13
@@ -40,7 +44,7 @@ pub(super) struct ReproduceArgs {
     #[arg(long, value_name = "N", required_unless_present = "list")]
     figure: Option<String>,
     /// List the figures and tables: what each shows, and what it costs. Nothing runs.
-    #[arg(long, conflicts_with_all = ["figure", "out", "threads", "fresh"])]
+    #[arg(long, conflicts_with_all = ["figure", "out", "threads", "fresh", "dry_run"])]
     list: bool,
     /// Where figures and runs go [default: results/runs/reproduce_<paper>].
     #[arg(long, value_name = "DIR")]
@@ -54,6 +58,9 @@ pub(super) struct ReproduceArgs {
     /// Move earlier runs aside and start over.
     #[arg(long)]
     fresh: bool,
+    /// Show what would run, where it would go, and how long it takes. Nothing runs or is written.
+    #[arg(long)]
+    dry_run: bool,
     /// Set a key of every run, such as numerics.particle_spacing_m=0.02. The option may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     settings: Vec<Setting>,
@@ -84,6 +91,12 @@ pub(super) fn main(args: &ReproduceArgs, output: &Output) -> anyhow::Result<u8> 
     let out = args.out.clone().unwrap_or_else(default);
     let times = recipe.draw.as_ref().is_some_and(|draw| draw.tells_times());
     let threads = args.threads.or(times.then_some(1));
+    if args.dry_run {
+        let needed = needed(&recipe.run, &studies, &out, (threads, args.fresh));
+        let text = format!("{} of {}: {}\n", recipe.title(), recipe.paper, recipe.shows);
+        output.result(&(text + &runs::told(&needed)), &json!({ "runs": needed }))?;
+        return Ok(SUCCESS);
+    }
     let (mut directories, mut code) = (Vec::new(), SUCCESS);
     for (run, study) in recipe.run.iter().zip(studies) {
         let seconds = cost::expected_seconds(&study, threads.map(usize::from));
@@ -125,21 +138,6 @@ fn recipe(args: &ReproduceArgs) -> Result<&'static Recipe, BadInput> {
             known.join(", ")
         ))
     })
-}
-
-/// The study of a run with what the recipe and the user set.
-fn study(run: &Run, settings: &[Setting]) -> Result<Study, BadInput> {
-    let bad = |reason: &dyn std::fmt::Display| {
-        BadInput(format!("{} (inside the program): {reason}", run.file))
-    };
-    let text = files::text(&run.file).ok_or_else(|| bad(&"is not there"))?;
-    let mut sets = vec![format!("name={}", run.name).parse().map_err(|e| bad(&e))?];
-    for set in &run.set {
-        sets.push(set.parse().map_err(|e: String| bad(&e))?);
-    }
-    sets.extend(settings.iter().map(|setting| setting.set.clone()));
-    let file = SweepFile::read(text, &sets).map_err(|error| bad(&error))?;
-    Study::new(&file).map_err(|error| bad(&error))
 }
 
 fn job(args: &ReproduceArgs, run: &Run, study: Study, out: PathBuf, shares_threads: bool) -> Job {
