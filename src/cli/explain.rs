@@ -7,21 +7,24 @@ use super::SUCCESS;
 use super::failure::BadInput;
 use super::glossary::{Entry, entries, joined};
 use super::output::{Output, wrapped};
+use super::things::{names, thing};
 use crate::keys::hint;
 use crate::quantities::{is_meant, meant_by};
 
-/// Explain a key of a sweep or scene file, or a column of a table: its meaning, unit, range and default.
-/// Without a name, list all.
+/// Explain a key of a sweep or scene file, or a column of a table: its meaning, unit, range and default. It explains
+/// the words of the README, too, such as caisson or companion. Without a name, list all keys and columns.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   seawall explain spring_stiffness_n_per_m
   seawall explain force_max
   seawall explain 'F*'
+  seawall explain 'error bar'
   seawall explain
   seawall explain numerics.courant_number --format json")]
 pub(super) struct ExplainArgs {
-    /// The key or the column, or its symbol. A key may have its section before it, as in numerics.kernel.
-    #[arg(value_name = "KEY|COLUMN")]
+    /// The key or the column, or its symbol, or a word of the README. A key may have its section before it, as in
+    /// numerics.kernel.
+    #[arg(value_name = "KEY|COLUMN|WORD")]
     name: Option<String>,
 }
 
@@ -38,10 +41,14 @@ pub(super) fn main(args: &ExplainArgs, output: &Output) -> anyhow::Result<u8> {
         found = picked(&|entry| is_meant(name, &entry.symbol));
     }
     if found.is_empty() {
+        found = thing(name, &all).into_iter().collect();
+    }
+    if found.is_empty() {
         let leaf = name.rsplit('.').next().unwrap_or(name);
-        let names: Vec<_> = all.iter().map(|entry| entry.name.as_str()).collect();
-        let near = meant_by(name).unwrap_or_else(|| hint(leaf, &names));
-        let told = "no key and no column has this name";
+        let mut known: Vec<&str> = all.iter().map(|entry| entry.name.as_str()).collect();
+        names().for_each(|name| known.push(name));
+        let near = meant_by(name).unwrap_or_else(|| hint(leaf, &known));
+        let told = "no key, no column and no word of the README has this name";
         let list = " (`seawall explain` lists all)";
         return Err(BadInput(format!("{name}: {told}{near}{list}")).into());
     }

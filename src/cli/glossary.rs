@@ -130,7 +130,7 @@ fn of_column<R: Copy>(column: &Quantity<R>, of: &str) -> Entry {
 }
 
 /// A meaning in one line, with `[words](target)` as the words alone.
-fn without_links(text: &str) -> String {
+pub(super) fn without_links(text: &str) -> String {
     let mut words = text.split_whitespace().collect::<Vec<_>>().join(" ").replace('`', "");
     while let Some((start, middle)) = words.find('[').zip(words.find("](")) {
         let Some(end) = words[middle..].find(')') else { break };

@@ -43,6 +43,7 @@ mod stored;
 mod stress;
 mod sweep;
 mod table;
+mod things;
 mod verify;
 mod warnings;
 mod watch;

@@ -1,0 +1,79 @@
+//! Words for things that are no key and no column: those that README.md explains, and what is called by them.
+
+use super::glossary::{Entry, without_links};
+
+/// Where they are declared.
+const README: &str = include_str!("../../README.md");
+const HEADING: &str = "\n## Words\n";
+/// So many names that a word is part of are told.
+const MOST: usize = 12;
+
+/// What a word means, and which keys and columns have it in their names or belong to it; `None` where README.md does
+/// not explain it.
+pub(super) fn thing(word: &str, all: &[Entry]) -> Option<Entry> {
+    let wanted = plain(word);
+    let is_it = |name: &str| plain(name) == wanted;
+    let (name, meaning) = lines().find(|(names, _)| names.split(", ").any(is_it))?;
+    let part = wanted.replace(' ', "_");
+    let has = |entry: &&Entry| {
+        let told = entry.only.contains(&format!("\"{}\"", wanted.replace(' ', "-")));
+        told || entry.name.contains(&part)
+    };
+    let mut names: Vec<&str> = Vec::new();
+    for entry in all.iter().filter(has) {
+        if !names.contains(&&*entry.name) {
+            names.push(&entry.name);
+        }
+    }
+    let more = names.len().saturating_sub(MOST);
+    names.truncate(MOST);
+    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+    Some(Entry {
+        name: name.to_owned(),
+        of: "word".to_owned(),
+        meaning: without_links(meaning).replace('\\', ""),
+        besides: names.join(", ") + &more,
+        ..Entry::default()
+    })
+}
+
+/// All that are explained.
+pub(super) fn names() -> impl Iterator<Item = &'static str> {
+    lines().flat_map(|(names, _)| names.split(", "))
+}
+
+/// Lines of the table: names, and what they mean.
+fn lines() -> impl Iterator<Item = (&'static str, &'static str)> {
+    let table = README.split_once(HEADING).map_or("", |(_, rest)| rest);
+    let lines = table.lines().skip_while(|line| !line.starts_with('|')).skip(2);
+    let cells = |line: &'static str| line.strip_prefix("| ")?.strip_suffix(" |")?.split_once(" | ");
+    lines.map_while(cells)
+}
+
+/// Small letters, words apart by one space, and one of several: `Error_bars` is `error bar`.
+fn plain(word: &str) -> String {
+    let word = word.trim().to_lowercase().replace(['_', '-'], " ");
+    let one = word.strip_suffix('s').filter(|one| one.len() > 3 && !one.ends_with('s'));
+    one.unwrap_or(&word).to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cli::glossary::entries;
+
+    #[test]
+    fn what_an_engineer_asks_for_is_explained() {
+        let all = entries();
+        let told = |word: &str| thing(word, &all).unwrap_or_else(|| panic!("{word}"));
+        for word in ["caisson", "crest", "error bars", "first impact", "Companion", "trunk", "rows"]
+        {
+            let thing = told(word);
+            assert!(thing.meaning.len() > 20 && !thing.meaning.contains("]("), "{thing:?}");
+        }
+        assert!(told("caisson").besides.contains("static_friction"));
+        assert!(told("crest").besides.starts_with("crest_freeboard_m, crest_width_m"));
+        assert!(names().count() > 12 && names().all(|name| !name.is_empty()));
+        assert_eq!(thing("F", &all), None);
+    }
+}
