@@ -98,3 +98,28 @@ fn the_script_finds_every_particle_where_it_was() {
     }
     assert_eq!(browser.complaints(), [""; 0]);
 }
+
+/// The story: an axis of runups up to 0.0009 h was labelled 0.00, 0.00 and 0.00.
+#[test]
+fn levels_that_are_near_one_another_are_told_apart() {
+    let Some(mut browser) = Chromium::start() else { return };
+    let root = tempfile::tempdir().unwrap();
+    let path = film(root.path());
+    let page = std::fs::read_to_string(&path).unwrap();
+    let (mark, end) = ("<script type=\"application/json\" id=\"film\">", "</script>");
+    let from = page.find(mark).unwrap() + mark.len();
+    let to = from + page[from..].find(end).unwrap();
+    let mut film: serde_json::Value = serde_json::from_str(&page[from..to]).unwrap();
+    let curve = |symbol: &str, high: f64| serde_json::json!({ "symbol": symbol, "name": symbol, "low": 0.0, "high": high, "values": [0.0, high] });
+    film["history"] = serde_json::json!({
+        "time_s": [0.0, 1.0],
+        "curves": [curve("F*", 1.05), curve("R*", 0.0009)],
+    });
+    std::fs::write(&path, format!("{}{film}{}", &page[..from], &page[to..])).unwrap();
+    browser.open(&path, "");
+    let told =
+        browser.run("[...document.querySelectorAll('.levels span')].map((one) => one.textContent)");
+    let levels = ["1.05", "0.53", "0.00", "0.00090", "0.00045", "0.00000"];
+    assert_eq!(serde_json::from_value::<Vec<String>>(told).unwrap(), levels);
+    assert_eq!(browser.complaints(), [""; 0]);
+}

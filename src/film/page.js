@@ -194,17 +194,23 @@
     }
   }
 
+  // Decimals that tell places between two values apart: two, or more where these are near one another.
+  function decimals(low, high) {
+    return Math.min(8, Math.max(2, 1 - Math.floor(Math.log10(high - low || 1))));
+  }
+
   // Curves of F*, R* and X* over time, each with a cursor.
   const charts = film.history.curves.map((curve) => {
     const times = film.history.time_s, box = document.createElement("figure");
     const { low, high } = curve, air = 0.1 * (high - low);
     const beyond = curve.values.some((value) => value > high + air || value < low - air);
     const first = film.times[0], end = film.times[frames - 1];
+    const fine = decimals(low, high), often = decimals(first, end);
     const x = (t) => 1000 * (t - first) / (end - first || 1), y = (v) => 100 - 100 * (v - low) / (high - low);
     const points = times.map((t, k) => x(t).toFixed(1) + "," + y(curve.values[k]).toFixed(1)).join(" ");
     // Three levels and five instants, as words beside a drawing that is stretched.
-    const levels = [0, 0.5, 1].map((share) => (low + share * (high - low)).toFixed(2));
-    const instants = [0, 0.25, 0.5, 0.75, 1].map((share) => (first + share * (end - first)).toFixed(2));
+    const levels = [0, 0.5, 1].map((share) => (low + share * (high - low)).toFixed(fine));
+    const instants = [0, 0.25, 0.5, 0.75, 1].map((share) => (first + share * (end - first)).toFixed(often));
     box.innerHTML = "<figcaption><b>" + curve.symbol + "</b> <output></output><span></span></figcaption>"
       + '<div class="plot"><div class="levels">' + levels.reverse().map((text) => "<span>" + text + "</span>").join("") + "</div>"
       + '<svg viewBox="0 0 1000 100" preserveAspectRatio="none" role="img">'
@@ -213,7 +219,7 @@
       + '<div class="instants">' + instants.map((text, k) => "<span>" + text + (k === 4 ? " s" : "") + "</span>").join("") + "</div></div>";
     box.querySelector("span").textContent = curve.name + (beyond ? "; spikes leave the panel" : "");
     const drawing = box.querySelector("svg"), cursor = box.querySelector(".cursor"), told = box.querySelector("output");
-    drawing.setAttribute("aria-label", curve.name + " over time, from " + low.toFixed(2) + " to " + high.toFixed(2));
+    drawing.setAttribute("aria-label", curve.name + " over time, from " + low.toFixed(fine) + " to " + high.toFixed(fine));
     const pick = (event) => {
       const box = drawing.getBoundingClientRect();
       go(first + (end - first) * (event.clientX - box.left) / box.width);
@@ -223,10 +229,10 @@
     find("charts").append(box);
     return () => {
       const value = mix(curve.values, place(times));
-      told.textContent = value.toFixed(3);
+      told.textContent = value.toFixed(fine + 1);
       cursor.setAttribute("x1", x(time));
       cursor.setAttribute("x2", x(time));
-      return curve.symbol + " " + value.toFixed(2);
+      return curve.symbol + " " + value.toFixed(fine);
     };
   });
 

@@ -42,7 +42,7 @@ fn wall(config: &CaseConfig) -> String {
     // Of walls that move, none leans and none has a crest.
     let more = match &scene.crest {
         _ if scene.wall_angle_deg != 90.0 => format!(" at {}°", scene.wall_angle_deg),
-        Some(crest) => format!(" of {} m over still water", crest.crest_freeboard_m),
+        Some(crest) => format!(" with its crest {} m over still water", crest.crest_freeboard_m),
         None => String::new(),
     };
     format!("{}{more}{told}", scene.wall.title())
