@@ -189,6 +189,12 @@ fn a_case_of_a_study_is_shown_and_runs_alone_as_the_same_case() {
     {
         assert!(text.contains(part), "{part}: {text}");
     }
+    // The story: the sentences about coarse particles had dots in their middle.
+    let told = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let coarse = "coarse spacing 8.0 rows over the depth; below 10, forces are up to 3 %, displacements 9 % off, runups \
+                  0.25 h low; one bar in four may miss";
+    assert!(told.contains(coarse), "{text}");
+    assert!(text.lines().all(|line| line.chars().count() <= 80 || line.contains('/')), "{text}");
     let impulse = text.lines().find(|line| line.starts_with("  first impulse ")).unwrap();
     assert!(impulse.ends_with(" ½ρgh² √(h/g)"), "{impulse}");
     let object = ended(0, &["show", &desk.dir, &id[..10], "--format", "json"]).json();

@@ -1,5 +1,7 @@
 //! `seawall show`: one case of a finished study, from its files.
 
+mod groups;
+
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
@@ -7,17 +9,15 @@ use clap::Args;
 use csv::StringRecord;
 use serde_json::{Map, Value, json};
 
+use self::groups::groups;
 use super::failure::BadInput;
-use super::output::{Output, json_paths, with_bar};
+use super::output::{Output, json_paths, with_bar, wrapped};
 use super::pick::{Choice, in_every_case, the_case, the_one};
 use super::{SUCCESS, stored};
 use crate::keys;
 use crate::math::words::counted;
-use crate::quantities::summary::{
-    ALL, CASE_ID, COARSE_SPACING, DOUBTFUL_REASON, MEASURED_WAVE_HEIGHT_RATIO, PARTICLES_LOST,
-    REASON, STATUS, STOP_IMPULSE, WAVE_HEIGHT_RATIO,
-};
-use crate::quantities::{Column, Unit, named};
+use crate::quantities::summary::{CASE_ID, STATUS, WAVE_HEIGHT_RATIO};
+use crate::quantities::{Column, named};
 use crate::report::load::Loaded;
 use crate::report::{self, plain, spoken};
 use crate::results::Manifest;
@@ -78,6 +78,10 @@ fn unfinished(args: &ShowArgs, error: BadInput) -> BadInput {
     }
 }
 
+/// Characters of a line, and before its value.
+const WIDTH: usize = 80;
+const INDENT: usize = 27;
+
 /// A row of `summary.csv`: names, which all rows share, and cells.
 struct Row(Rc<StringRecord>, StringRecord);
 
@@ -114,7 +118,7 @@ impl Row {
     fn value(&self, column: &Column) -> Option<String> {
         let cell = Some(self.cell(column.name)).filter(|cell| !cell.is_empty())?;
         let Some(value) = self.number(column.name).filter(|_| column.is_number()) else {
-            return Some(keys::brief(cell));
+            return Some(cell.to_owned());
         };
         let bar = column.bar.and_then(|bar| self.number(bar));
         let told = match bar {
@@ -193,56 +197,9 @@ fn told(row: &Row, known: &report::Row, keys: &[String], files: &[PathBuf]) -> S
     text
 }
 
+/// A long text goes on below its beginning.
 fn line(name: &str, value: &str) -> String {
-    format!("  {name:<24} {value}\n")
-}
-
-/// Columns of results, of health, of parameters; bars and flags stand beside what they belong to.
-fn groups() -> (Vec<&'static Column>, Vec<&'static Column>, Vec<&'static Column>) {
-    let belongs = |column: &&Column| {
-        ALL.iter().any(|other| [other.bar, other.bound].contains(&Some(column.name)))
-    };
-    let first = ALL.iter().position(|column| *column == &MEASURED_WAVE_HEIGHT_RATIO).unwrap_or(0);
-    let (mut results, mut health, mut parameters) = (Vec::new(), Vec::new(), Vec::new());
-    for (place, &column) in ALL.iter().enumerate().filter(|(_, column)| !belongs(column)) {
-        let is_health = column.unit == Unit::Percent
-            || [&REASON, &DOUBTFUL_REASON, &COARSE_SPACING, &PARTICLES_LOST].contains(&column);
-        let is_input = place < first || is_configured(column);
-        match (column == &CASE_ID || column == &STATUS, is_health, is_input) {
-            (true, ..) => {}
-            (_, true, _) => health.push(column),
-            (_, _, true) => parameters.push(column),
-            _ if column.unit == Unit::Pure && column != &MEASURED_WAVE_HEIGHT_RATIO => {
-                health.push(column);
-            }
-            _ => results.push(column),
-        }
-    }
-    results.sort_by_key(|column| column == &&STOP_IMPULSE);
-    (results, health, parameters)
-}
-
-/// Whether a column repeats what a file says: it is called like a key.
-fn is_configured(column: &Column) -> bool {
-    let numerics = crate::scene::numerics_keys();
-    let scene = crate::scene::scene_keys(crate::scene::Kind::DEFAULT);
-    numerics.iter().chain(&scene).any(|key| key.name == column.name)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_column_is_told_once() {
-        let (results, health, parameters) = groups();
-        let told = results.len() + health.len() + parameters.len();
-        let beside = ["force_error", "runup_error", "displacement_error", "force_max_error"];
-        let more = ["runup_max_error", "overtopping_volume_error_m2", "displacement_truncated"];
-        let beside = beside.len() + more.len();
-        assert_eq!(told, ALL.len() - beside - 2, "all but the id, the status, bars and flags");
-        assert!(parameters.iter().any(|column| column.name == "particle_spacing_m"));
-        assert!(health.iter().any(|column| column.name == "doubtful_reason"));
-        assert!(results.iter().any(|column| column.name == "onset_time_s"));
-    }
+    let lines = wrapped(value, WIDTH - INDENT);
+    let below = format!("\n{:INDENT$}", "");
+    format!("  {name:<24} {}\n", lines.join(&below))
 }
