@@ -160,7 +160,7 @@ fn number(column: &Column, case: &Case<'_>) -> String {
         return "-".to_owned();
     };
     let bar = column.bar.and_then(named).and_then(|bar| bar.number(case));
-    with_marks(value, bar, column.is_bound(case))
+    with_marks(column.told_value(value), bar, column.is_bound(case))
 }
 
 fn status(record: &CaseRecord) -> String {

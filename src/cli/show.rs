@@ -120,6 +120,7 @@ impl Row {
         let Some(value) = self.number(column.name).filter(|_| column.is_number()) else {
             return Some(cell.to_owned());
         };
+        let value = column.told_value(value);
         let bar = column.bar.and_then(|bar| self.number(bar));
         let told = match bar {
             Some(bar) => with_bar(value, bar),

@@ -18,6 +18,9 @@ pub enum Read {
     Maximum(fn(&Case<'_>) -> Option<Maximum>),
 }
 
+/// Less water than that is none, m² and m²/s: a thousandth of a square millimetre.
+const NAUGHT: f64 = 1e-9;
+
 impl Column {
     /// Its value in a case.
     pub fn value(&self, case: &Case<'_>) -> Option<Value> {
@@ -51,6 +54,12 @@ impl Column {
         let reached =
             read(case).filter(|maximum| self.unit != Unit::Impulse || maximum.value != 0.0);
         reached.map(|maximum| maximum.time_s)
+    }
+
+    /// A number as it is told: of volumes and discharges of no water sums leave some 10⁻¹² m².
+    pub fn told_value(&self, value: f64) -> f64 {
+        let of_water = [Unit::SquareMetres, Unit::SquareMetresPerSecond].contains(&self.unit);
+        if of_water && value.abs() < NAUGHT { 0.0 } else { value }
     }
 
     /// Whether it has a second column, with the time of a maximum.
@@ -129,4 +138,21 @@ pub(super) const fn maximum(
     read: fn(&Case<'_>) -> Option<Maximum>,
 ) -> Column {
     Quantity::new(name, symbol, unit, Read::Maximum(read)).significant(4)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The story: where no water went over, the volume was told as -2.558e-15 m².
+    #[test]
+    fn a_volume_of_no_water_is_told_as_none() {
+        let [volume, force] =
+            ["overtopping_volume_m2", "force_max"].map(|name| named(name).unwrap());
+        assert_eq!(
+            [1.3e-14, -2.6e-15, 2e-6].map(|value| volume.told_value(value)),
+            [0.0, 0.0, 2e-6]
+        );
+        assert_eq!(force.told_value(1e-12), 1e-12);
+    }
 }

@@ -159,7 +159,8 @@ impl Row {
     /// A cell with as many digits as its column shows.
     pub fn brief(&self, column: &Column) -> String {
         let number = self.number(column);
-        let told = number.and_then(|value| number::with_digits(value, column.digits));
+        let told = number.map(|value| column.told_value(value));
+        let told = told.and_then(|value| number::with_digits(value, column.digits));
         told.unwrap_or_else(|| self.cell(column))
     }
 

@@ -17,6 +17,8 @@ const CASES: usize = 4;
 const CURVES: usize = 6;
 /// The column of a wall with a crest.
 const CREST_THICKNESS: &str = "crest_thickness_m";
+/// Nothing in any unit of an axis.
+const NAUGHT: f64 = 1e-9;
 /// Letters above a panel, at most.
 const HEADING: usize = 36;
 
@@ -36,10 +38,12 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     let mut figures = Vec::new();
     for row in chosen {
         let case_id = row.id();
-        let strips = strips(case_id, &data.gauges(case_id)?.0);
+        let (strips, empty): (Vec<_>, Vec<_>) =
+            strips(case_id, &data.gauges(case_id)?.0).into_iter().partition(holds_anything);
         if strips.is_empty() {
             continue;
         }
+        let empty = if empty.is_empty() { "" } else { " Panels of nothing but 0 are left out." };
         let words = row.words();
         let case = if words.is_empty() { String::new() } else { format!(", {words}") };
         let name = format!("probes-{case_id}");
@@ -48,12 +52,17 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
             title: format!("Gauges{case}"),
             caption: format!(
                 "What the gauges of case {case_id} recorded; probes/columns.csv says where each \
-                 stands and how it measures.{shown}"
+                 stands and how it measures.{empty}{shown}"
             ),
             name,
         });
     }
     Ok(figures)
+}
+
+/// Whether any of its values is more than what sums of no water leave.
+fn holds_anything(strip: &Strip) -> bool {
+    strip.curves.iter().flat_map(|line| &line.points).any(|(_, value)| value.abs() > NAUGHT)
 }
 
 /// Gauges by the title of their axis, in the order of their first column, at most [`CURVES`] together. Each panel is headed by its
@@ -120,6 +129,20 @@ mod tests {
             assert!(figures[0].svg().contains(word), "{word}");
         }
         assert!(!figures[0].caption.contains("Shown"));
+    }
+
+    /// The story: of a crest that no water went over there were four panels of naught, and so of every case.
+    #[test]
+    fn panels_of_naught_are_left_out() {
+        let (_directory, data) = fixture::read(fixture::dam_breaks(1));
+        let path = data.directory.join("probes").join(format!("{}.csv", data.rows[0].id()));
+        let text = |value: &str| format!("time_s,P1,front\n0,0,0\n0.1,{value},-3e-14\n");
+        std::fs::write(&path, text("1e-14")).unwrap();
+        assert!(figures(&data).unwrap().is_empty());
+        std::fs::write(&path, text("5")).unwrap();
+        let figure = figures(&data).unwrap().remove(0);
+        assert!(figure.svg().contains("P1") && !figure.svg().contains("front"));
+        assert!(figure.caption.contains("nothing but 0 are left out"), "{}", figure.caption);
     }
 
     #[test]

@@ -79,7 +79,8 @@ fn brief(name: &str, cell: &str) -> String {
         return number::plain(value);
     }
     let told = column.zip(cell.parse().ok());
-    let told = told.and_then(|(column, value)| number::with_digits(value, column.digits));
+    let told = told
+        .and_then(|(column, value)| number::with_digits(column.told_value(value), column.digits));
     told.unwrap_or_else(|| number::brief(cell))
 }
 
