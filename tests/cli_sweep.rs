@@ -262,6 +262,12 @@ fn another_sweeps_directory_is_refused() {
     let told = format!("holds another sweep (\"tiny\", 8 cases): {key}; ");
     assert!(edited.err.contains(&told), "{}", edited.err);
 }
+    // Nor who had set a key on the command line, and did not set it again.
+    let set = ["--set", "grid.wave_height_ratio=[0.4]"];
+    sweep(0, &desk.file, &desk.out, &[&set[..], &["--fresh"]].concat());
+    let without = sweep(2, &desk.file, &desk.out, &[]);
+    let told = "cases): it was made with --set grid.wave_height_ratio=[0.4]; choose another --out";
+    assert!(without.err.contains(told), "{}", without.err);
 
 #[test]
 fn copies_under_a_launcher_are_refused_once() {

@@ -8,7 +8,8 @@ use super::manifest::Manifest;
 use crate::keys::brief;
 use crate::study::{PHYSICS_VERSION, Study};
 
-/// The first difference in words: the physics version, or a key of the two files; `None` where neither tells it.
+/// The first difference in words: the physics version, a key of the two files, or what the command line has set there;
+/// `None` where none of them tells it.
 pub(super) fn difference(directory: &Path, study: &Study) -> Option<String> {
     let there = Manifest::read(directory)?;
     if there.physics_version != PHYSICS_VERSION {
@@ -19,8 +20,13 @@ pub(super) fn difference(directory: &Path, study: &Study) -> Option<String> {
     }
     let files = [&there.sweep_file, &study.file_text].map(|text| text.parse::<Table>());
     match &files {
-        // What was set on the command line stands in no file.
         [Ok(before), Ok(here)] if there.overrides.is_empty() => first("", before, here),
+        // That stands in no file.
+        _ if !there.overrides.is_empty() => {
+            let sets: Vec<_> =
+                there.overrides.iter().map(|set| format!("--set {}", brief(set))).collect();
+            Some(format!("it was made with {}", sets.join(" ")))
+        }
         _ => None,
     }
 }
