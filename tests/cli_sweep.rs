@@ -2,11 +2,12 @@
 
 mod common;
 
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
 use common::{
-    Desk, TINY, TINY_CASES, assert_same, ended, expect_code, journal_lines, seawall, sweep,
+    Desk, TINY, TINY_CASES, assert_same, column, ended, expect_code, journal_lines, seawall, sweep,
 };
 
 #[test]
@@ -261,13 +262,13 @@ fn another_sweeps_directory_is_refused() {
     let key = "grid.wave_height_ratio is [0.4, 0.5] there and [0.4, 0.5, 0.6] here";
     let told = format!("holds another sweep (\"tiny\", 8 cases): {key}; ");
     assert!(edited.err.contains(&told), "{}", edited.err);
-}
     // Nor who had set a key on the command line, and did not set it again.
     let set = ["--set", "grid.wave_height_ratio=[0.4]"];
     sweep(0, &desk.file, &desk.out, &[&set[..], &["--fresh"]].concat());
     let without = sweep(2, &desk.file, &desk.out, &[]);
     let told = "cases): it was made with --set grid.wave_height_ratio=[0.4]; choose another --out";
     assert!(without.err.contains(told), "{}", without.err);
+}
 
 #[test]
 fn copies_under_a_launcher_are_refused_once() {
@@ -313,4 +314,24 @@ fn json_has_the_whole_record_of_every_case() {
             assert!(!record["host"].as_str().unwrap().is_empty(), "{record}");
         }
     }
+}
+
+/// As docs/files.md tells who gives each job of an array a part of the grid.
+#[test]
+fn parts_of_a_grid_have_the_rows_of_the_whole() {
+    let desk = Desk::new(TINY);
+    let rows = |out: &Path| {
+        let ids = column(out, "case_id");
+        let forces = column(out, "force_max");
+        ids.into_iter().zip(forces).collect::<BTreeMap<_, _>>()
+    };
+    sweep(0, &desk.file, &desk.out, &[]);
+    let mut parts = BTreeMap::new();
+    for wave in ["0.4", "0.5"] {
+        let (out, set) = (desk.path().join(wave), format!("grid.wave_height_ratio=[{wave}]"));
+        sweep(0, &desk.file, &out, &["--set", &set]);
+        parts.extend(rows(&out));
+    }
+    assert_eq!(parts.len(), 8);
+    assert_eq!(parts, rows(&desk.out));
 }
