@@ -14,7 +14,7 @@ use crate::body::Stroke;
 use crate::keys::{Section, number, value_of};
 use crate::quantities::Column;
 use crate::quantities::summary::{BOUNDARY, KERNEL, PARTICLE_SPACING, SCHEME};
-use crate::scene::CaseConfig;
+use crate::scene::{CaseConfig, odd_values};
 
 /// All values of one case, those that the program chose included.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -58,6 +58,24 @@ pub fn each_config(
         (!block.is_empty()).then(|| block.into_par_iter().map(make).collect::<Vec<_>>())
     };
     std::iter::from_fn(block).flatten()
+}
+
+/// What of these rows' cases looks like a slip, each key once with its first sentence, as `seawall check` has it. One
+/// that plays a record is left out: its file may be out of reach.
+pub fn oddities(data: &Loaded, rows: impl Iterator<Item = usize>) -> Vec<String> {
+    let Some(file) = data.file() else { return Vec::new() };
+    let mut odd = BTreeMap::new();
+    for row in rows {
+        let Some([scene, numerics]) = file.of_row(&data.keys, row, &file.numerics) else {
+            continue;
+        };
+        let case = CaseConfig::with_probes(&scene, &numerics, &file.probes);
+        let Some(case) = case.ok().filter(|_| !scene.contains_key(STROKE)) else { continue };
+        for value in odd_values(&case) {
+            odd.entry(value.key.clone()).or_insert_with(|| value.to_string());
+        }
+    }
+    odd.into_values().collect()
 }
 
 /// A recorded stroke stands here as its path: a long record in every case would take gigabytes, and its

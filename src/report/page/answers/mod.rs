@@ -30,6 +30,7 @@ pub fn all(data: &Loaded, file: Option<&SceneFile>) -> Vec<Answer> {
     let answers = [
         ("What was run", Some(run::what(data, file))),
         ("The scene", scene::shared(data)),
+        ("Warnings", scene::odd(data)),
         ("Failed", run::failed(data)),
         ("Largest force", force::largest(data, file)),
         ("Highest runup", runup::highest(data, file)),

@@ -6,7 +6,7 @@ use crate::keys::Key;
 use crate::keys::number as read;
 use crate::math::lists::rising;
 use crate::math::words::{capitalised, listed};
-use crate::report::config::each_config;
+use crate::report::config::{each_config, oddities};
 use crate::report::curves::spread;
 use crate::report::load::Loaded;
 use crate::report::page::words::range;
@@ -31,6 +31,14 @@ pub fn shared(data: &Loaded) -> Option<String> {
     let told = keys.filter(|key| !UNSAID.contains(&key.name));
     let told: Vec<_> = told.filter_map(|key| value(key, &scenes)).collect();
     (!told.is_empty()).then(|| capitalised(&format!("{}.", told.join(", "))))
+}
+
+/// What of the scene looks like a slip, in the words of `seawall check`: who gets the page alone has not read these.
+/// `None` where nothing does.
+pub fn odd(data: &Loaded) -> Option<String> {
+    let places: Vec<usize> = (0..data.rows.len()).collect();
+    let told = oddities(data, spread(&places, LOOKED_AT).into_iter());
+    (!told.is_empty()).then(|| format!("{}.", told.join(". ")))
 }
 
 /// A key and its values, as a sentence has them: `tank length 2.5 m`.
@@ -85,6 +93,28 @@ mod tests {
              ratio 1.1, force coupling 1, spring stiffness 10 N/m, seawall mass 50 kg/m, wave gauge \
              1.5 m."
         );
+    }
+
+    /// The story: a run ended before its wave was at the wall, and the page called the force of still water the
+    /// largest and no result doubtful.
+    #[test]
+    fn a_slip_that_check_tells_of_is_on_the_page() {
+        let of = |end: &str| {
+            let file = format!(
+                "name = \"a\"\n[scene]\ntank_length_m = 12\n{end}\n[grid]\nwave_height_ratio = [0.2, 0.3]"
+            );
+            let keys = vec![Swept::new("wave_height_ratio", ["0.2", "0.3"])];
+            let manifest = Some(json!({ "sweep_file": file, "overrides": [] }));
+            odd(&Loaded { rows: vec![Default::default(); 2], keys, manifest, ..Loaded::default() })
+        };
+        let told = of("").unwrap();
+        assert!(
+            told.contains("before the crest can be at the wall") && told.ends_with('.'),
+            "{told}"
+        );
+        assert_eq!(told.matches("tank_length_m = ").count(), 1, "{told}");
+        assert_eq!(of("end_time_s = 30"), None);
+        assert_eq!(odd(&Loaded::default()), None);
     }
 
     /// The story: pages of runs of 8 s began with "end after stroke 3 s, end time 8 s".
