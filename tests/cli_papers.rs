@@ -46,6 +46,9 @@ fn a_figure_of_liang_is_made_and_made_again_without_a_run() {
     assert!((fitted / 2.73 - 1.0).abs() < 0.05, "{fitted}");
     let sentences = value["sentences"].to_string();
     assert!(sentences.contains("the law as printed: 0 of 7 numbers are met"), "{sentences}");
+    // The story: what coarse particles did was given other reasons.
+    let coarse = "The particles are coarse, and a part of the differences may be theirs: 8.0 rows";
+    assert!(sentences.contains(coarse), "{sentences}");
 
     let files = ["figure-9.svg", "figure-9.csv", "figure-9.md"].map(|name| out.join(name));
     let svg = fs::read_to_string(&files[0]).unwrap();

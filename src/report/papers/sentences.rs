@@ -7,7 +7,8 @@ use super::table::{couplings, words};
 use crate::math::lists::{different, median, tallied};
 use crate::math::words::counted;
 use crate::papers::{Read, cause, paper};
-use crate::quantities::summary::{PARTICLE_SPACING, SCHEME};
+use crate::quantities::coarse_spacings;
+use crate::quantities::summary::{COARSE_SPACING, PARTICLE_SPACING, SCHEME};
 use crate::report::curves::distinct;
 use crate::report::number;
 use crate::report::row::Row;
@@ -74,13 +75,19 @@ fn opening(found: &[Found]) -> String {
         all if all > numbers.len() => format!(", some of them several: {all} comparisons"),
         _ => String::new(),
     };
+    let rows = found.iter().map(|one| one.row.text(&COARSE_SPACING));
+    let coarse = coarse_spacings(rows.filter(|why| !why.is_empty()));
+    let coarse = coarse.map(|why| {
+        format!(" The particles are coarse, and a part of the differences may be theirs: {why}.")
+    });
     format!(
         "{} printed {are} a case here{compared} ({}), computed by {}. A number counts as met where the difference is \
          at most 5 % (or 0.02 of F*, R* and X*, 0.05 s, 5 points of a percentage), or within the error bar. \
-         No curve was read off: these are the numbers that the papers print.",
+         No curve was read off: these are the numbers that the papers print.{}",
         numbers.len(),
         names.join("; "),
-        method(found.iter().map(|one| one.row))
+        method(found.iter().map(|one| one.row)),
+        coarse.unwrap_or_default()
     )
 }
 
