@@ -26,6 +26,13 @@ pub fn unbroken(text: &str) -> String {
     // The depth h is a unit where nothing but a word's end follows.
     for end in [" ", ",", ".", ")"] {
         text = text.replace(&format!(" h{end}"), &format!("\u{a0}h{end}"));
+        // Letters that are words, too: units behind digits alone.
+        for (unit, digit) in
+            ["m", "s"].into_iter().flat_map(|unit| (0..10).map(move |digit| (unit, digit)))
+        {
+            text =
+                text.replace(&format!("{digit} {unit}{end}"), &format!("{digit}\u{a0}{unit}{end}"));
+        }
     }
     text
 }
@@ -67,6 +74,10 @@ mod tests {
     fn no_line_ends_between_a_number_and_its_unit() {
         let told = unbroken("R* = 0.3 ± 0.0047 h, 0.099 h (k up to 500 N/m) of h");
         assert_eq!(unbroken("wall angle 90 °, end"), "wall angle 90\u{a0}°, end");
+        assert_eq!(
+            unbroken("length 2.5 m, end 3 s. Of m and s"),
+            "length 2.5\u{a0}m, end 3\u{a0}s. Of m and s"
+        );
         let words: Vec<_> = told.split(' ').collect();
         let pairs = ["R*\u{a0}=\u{a0}0.3\u{a0}±\u{a0}0.0047\u{a0}h,", "0.099\u{a0}h"];
         assert_eq!(words[..2], pairs, "{told}");
