@@ -87,13 +87,13 @@ struct Cli {
 #[derive(Debug, Clone, Args)]
 struct Global {
     /// Print nothing but errors, and with `--format json` the answer.
-    #[arg(long, global = true)]
+    #[arg(long, global = true, display_order = 900)]
     quiet: bool,
     /// How results are printed.
-    #[arg(long, global = true, value_enum, default_value_t = Format::Human)]
+    #[arg(long, global = true, display_order = 901, value_enum, default_value_t = Format::Human)]
     format: Format,
     /// Print more; for example every case rather than the first few.
-    #[arg(short, long, global = true)]
+    #[arg(short, long, global = true, display_order = 902)]
     verbose: bool,
 }
 
