@@ -119,9 +119,9 @@ impl Row {
         self.text(&CASE_ID)
     }
 
-    /// A number; `None` where the cell is empty.
+    /// A number, a volume of no water as 0; `None` where the cell is empty.
     pub fn number(&self, column: &Column) -> Option<f64> {
-        self.text(column).parse().ok()
+        self.text(column).parse().ok().map(|value| column.told_value(value))
     }
 
     /// When a maximum was reached, seconds.
@@ -159,8 +159,7 @@ impl Row {
     /// A cell with as many digits as its column shows.
     pub fn brief(&self, column: &Column) -> String {
         let number = self.number(column);
-        let told = number.map(|value| column.told_value(value));
-        let told = told.and_then(|value| number::with_digits(value, column.digits));
+        let told = number.and_then(|value| number::with_digits(value, column.digits));
         told.unwrap_or_else(|| self.cell(column))
     }
 

@@ -3,7 +3,8 @@ use serde_json::json;
 use super::*;
 use crate::quantities::Column;
 use crate::quantities::summary::{
-    DISPLACEMENT_MAX, DISPLACEMENT_TRUNCATED, FORCE_MAX, FORCE_MAX_ERROR, RUNUP_MAX, STATUS,
+    DISPLACEMENT_MAX, DISPLACEMENT_TRUNCATED, FORCE_MAX, FORCE_MAX_ERROR, OVERTOPPING_VOLUME,
+    RUNUP_MAX, STATUS,
 };
 use crate::report::row::Row;
 use crate::report::study::Key;
@@ -43,6 +44,15 @@ fn every_operator_picks_its_cases() {
     assert_eq!(ids(&data, "F* > 1 and m < 2.5"), [1], "by the symbols of tables");
     let told = find("F* max > 1 and m < 2×10⁰", &data).unwrap().condition.to_string();
     assert_eq!(told, "force_max > 1 and seawall_mass_kg_per_m < 2");
+}
+
+/// The story: what sums of no water leave went over a wall, and a boundary was drawn through it.
+#[test]
+fn no_water_goes_over_where_sums_leave_a_little() {
+    let over = |wave: f64| if wave < 0.35 { 1e-14 * (wave - 0.25) } else { 0.002 };
+    let waves = study("wave_height_ratio", "[]", &[0.2, 0.3, 0.4], with(&OVERTOPPING_VOLUME, over));
+    assert_eq!(ids(&waves, "V over > 0"), [2]);
+    assert_eq!(ids(&waves, "overtopping_volume_m2 = 0"), [0, 1]);
 }
 
 #[test]
