@@ -140,6 +140,7 @@ fn ghost_pass(interpolator: InterpolatorChoice, spacing: f64) -> f64 {
         no_slip: false,
         bed_between_walls: true,
         conservative_bed: false,
+        conservative_crest: false,
     };
     let ghosts = tank_ghosts(&layout, None, strip);
     let bodies = [BodyMotion::default(); 3];
