@@ -42,6 +42,18 @@ fn no_energy_appears_as_a_coarse_column_collapses() {
     }
 }
 
+/// The story: the first air that water closed in counted. The splash of the front closed in some after 2.7 and 4.5 √(H/g), and
+/// the tongue does after 6.
+#[test]
+fn the_tongue_closes_the_cavity_and_not_the_splash() {
+    for (preset, spacing) in [("default", 0.03), ("default", 0.0175), ("huang2019", 0.03)] {
+        let (result, _) =
+            collapse("", &format!("preset = \"{preset}\"\nparticle_spacing_m = {spacing}"));
+        let closure = result.readings.iter().find(|it| it.name == "cavity_closure").unwrap().value;
+        assert!((5.9..6.2).contains(&closure), "{preset}, {spacing} m: {closure}");
+    }
+}
+
 /// What comes back from the wall plunges on the water behind it. Runs of more than 8 √(H/g) ended there, as energy
 /// came from nowhere or single particles ran away. The water comes to lie as deep as the tank is long.
 #[test]
