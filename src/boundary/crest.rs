@@ -96,8 +96,8 @@ impl Crest {
         if beside <= 0.0 { high } else { high * (1.0 + 2.0 * over / beside).clamp(0.0, 1.0) }
     }
 
-    /// How far water has come to the crest, from how wet the face is at some heights, metres. A support radius below it
-    /// nothing counts, and what is nearer counts more.
+    /// How much of the face is wet within a support radius below the crest, from 0 to 1. What is nearer to it counts more.
+    /// `face` has heights, metres, and how wet the face is there.
     pub(super) fn reached(&self, face: impl Iterator<Item = [f64; 2]>) -> f64 {
         let near = |height: f64| 1.0 - (self.height - height) / self.reach;
         let points = face.map(|[height, wet]| [near(height), wet]);

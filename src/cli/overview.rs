@@ -160,6 +160,7 @@ fn number(column: &Column, case: &Case<'_>) -> String {
         return "-".to_owned();
     };
     let bar = column.bar.and_then(named).and_then(|bar| bar.number(case));
+    let bar = bar.map(|bar| column.told_value(bar));
     with_marks(column.told_value(value), bar, column.is_bound(case))
 }
 

@@ -92,7 +92,7 @@ pub(super) fn main(args: &ReproduceArgs, output: &Output) -> anyhow::Result<u8> 
     let times = recipe.draw.as_ref().is_some_and(|draw| draw.tells_times());
     let threads = args.threads.or(times.then_some(1));
     if args.dry_run {
-        let needed = needed(&recipe.run, &studies, &out, (threads, args.fresh));
+        let needed = needed(&recipe.run, &studies, &out, (threads, args.fresh))?;
         let text = format!("{} of {}: {}\n", recipe.title(), recipe.paper, recipe.shows);
         output.result(&(text + &runs::told(&needed)), &json!({ "runs": needed }))?;
         return Ok(SUCCESS);

@@ -58,10 +58,13 @@ pub(super) fn main(args: &ShowArgs, output: &Output) -> anyhow::Result<u8> {
     let place = place.map_err(|error| if left { unfinished(args, error) } else { error })?;
     let row = &rows[place];
     let files = files(&args.dir, row.cell(CASE_ID.name));
+    if output.is_json() {
+        output.result("", &row.json(&files))?;
+        return Ok(SUCCESS);
+    }
     // What the study's file says of its paddle.
     let known = Loaded::read(&args.dir).ok().and_then(|data| data.rows.into_iter().nth(place));
-    let text = told(row, &known.unwrap_or_default(), &keys, &files);
-    output.result(&text, &row.json(&files))?;
+    output.result(&told(row, &known.unwrap_or_default(), &keys, &files), &Value::Null)?;
     Ok(SUCCESS)
 }
 
@@ -121,7 +124,7 @@ impl Row {
             return Some(cell.to_owned());
         };
         let value = column.told_value(value);
-        let bar = column.bar.and_then(|bar| self.number(bar));
+        let bar = column.bar.and_then(|bar| self.number(bar)).map(|bar| column.told_value(bar));
         let told = match bar {
             Some(bar) => with_bar(value, bar),
             None if value.fract() == 0.0 && value.abs() < 1e15 => value.to_string(),

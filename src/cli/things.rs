@@ -14,10 +14,19 @@ pub(super) fn thing(word: &str, all: &[Entry]) -> Option<Entry> {
     let wanted = plain(word);
     let is_it = |name: &str| plain(name) == wanted;
     let (name, meaning) = lines().find(|(names, _)| names.split(", ").any(is_it))?;
-    let part = wanted.replace(' ', "_");
+    let words: Vec<&str> = wanted.split(' ').collect();
+    // A letter is a symbol, and in names a unit.
+    let in_name = |name: &str| {
+        let parts: Vec<&str> = name.split('_').collect();
+        let is_word = |(part, word): (&&str, &&str)| {
+            part.strip_suffix('s').unwrap_or(part) == *word || part == word
+        };
+        wanted.len() > 1
+            && parts.windows(words.len()).any(|parts| parts.iter().zip(&words).all(is_word))
+    };
     let has = |entry: &&Entry| {
         let told = entry.only.contains(&format!("\"{}\"", wanted.replace(' ', "-")));
-        told || entry.name.contains(&part)
+        told || in_name(&entry.name) || meaning.contains(&format!("`{}`", entry.name))
     };
     let mut names: Vec<&str> = Vec::new();
     for entry in all.iter().filter(has) {
@@ -37,9 +46,11 @@ pub(super) fn thing(word: &str, all: &[Entry]) -> Option<Entry> {
     })
 }
 
-/// All that are explained.
+/// All that are explained, but for symbols.
 pub(super) fn names() -> impl Iterator<Item = &'static str> {
-    lines().flat_map(|(names, _)| names.split(", "))
+    lines()
+        .flat_map(|(names, _)| names.split(", "))
+        .filter(|name| name.len() > 1 && !name.contains('\\'))
 }
 
 /// Lines of the table: names, and what they mean.
@@ -73,7 +84,8 @@ mod tests {
         }
         assert!(told("caisson").besides.contains("static_friction"));
         assert!(told("crest").besides.starts_with("crest_freeboard_m, crest_width_m"));
-        assert!(names().count() > 12 && names().all(|name| !name.is_empty()));
+        assert_eq!(told("s").besides, "force_coupling");
+        assert!(names().count() > 10 && names().all(|name| !name.is_empty()));
         assert_eq!(thing("F", &all), None);
     }
 }

@@ -26,6 +26,9 @@ pub fn finished(directory: &Path, study: &Study) -> Result<Vec<Option<CaseRecord
 }
 
 /// The same without those that are to run again.
+///
+/// # Errors
+/// The journal no longer has a run that has ended.
 pub(super) fn finished_of(
     directory: &Path,
     study: &Study,
@@ -34,6 +37,14 @@ pub(super) fn finished_of(
     let mut records = finished(directory, study)?;
     for (record, run) in records.iter_mut().zip(runs) {
         record.take_if(|_| run.is_none());
+        if let (None, Some(run)) = (record, run) {
+            let lost = format!("the line of case {} can no longer be read", run.id);
+            let again = "give the same command again: the case runs again";
+            return Err(SweepError::refused(
+                &directory.join(journal::FILE_NAME),
+                format!("{lost}; {again}"),
+            ));
+        }
     }
     Ok(records)
 }

@@ -19,16 +19,14 @@ pub(super) fn difference(directory: &Path, study: &Study) -> Option<String> {
         ));
     }
     let files = [&there.sweep_file, &study.file_text].map(|text| text.parse::<Table>());
-    match &files {
-        [Ok(before), Ok(here)] if there.overrides.is_empty() => first("", before, here),
-        // That stands in no file.
-        _ if !there.overrides.is_empty() => {
-            let sets: Vec<_> =
-                there.overrides.iter().map(|set| format!("--set {}", brief(set))).collect();
-            Some(format!("it was made with {}", sets.join(" ")))
-        }
+    let in_files = match &files {
+        [Ok(before), Ok(here)] => first("", before, here),
         _ => None,
-    }
+    };
+    // What stands in no file.
+    let sets: Vec<_> = there.overrides.iter().map(|set| format!("--set {}", brief(set))).collect();
+    let set = (!sets.is_empty()).then(|| format!("it was made with {}", sets.join(" ")));
+    in_files.or(set)
 }
 
 /// No part of a study's identity.

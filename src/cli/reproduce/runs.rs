@@ -11,7 +11,7 @@ use crate::cli::output::duration;
 use crate::keys::named;
 use crate::math::words::counted;
 use crate::papers::{Run, files};
-use crate::results::finished;
+use crate::results::{CaseRecord, SweepError, finished};
 use crate::study::{Study, SweepFile};
 
 /// The study of a run with what the recipe and the user set.
@@ -47,18 +47,19 @@ pub(super) fn needed(
     studies: &[Study],
     out: &Path,
     how: (Option<u16>, bool),
-) -> Vec<Needed> {
+) -> Result<Vec<Needed>, SweepError> {
     let one = |(run, study): (&Run, &Study)| {
         let directory = out.join(&run.name);
-        let records =
-            if how.1 { Vec::new() } else { finished(&directory, study).unwrap_or_default() };
-        let done = study.cases.iter().zip(records).filter(|(_, record)| record.is_some()).count();
-        Needed {
+        let is_new = how.1 || !directory.exists();
+        let records = if is_new { Vec::new() } else { finished(&directory, study)? };
+        let well = |record: &Option<CaseRecord>| record.as_ref().is_some_and(CaseRecord::is_ok);
+        let done = study.cases.iter().zip(records).filter(|(_, record)| well(record)).count();
+        Ok(Needed {
             directory,
             cases: study.cases.len(),
             finished: done,
             expected_time_s: expected_seconds(study, how.0.map(usize::from)),
-        }
+        })
     };
     runs.iter().zip(studies).map(one).collect()
 }

@@ -196,7 +196,10 @@ fn presses(lines: &[Line]) -> bool {
 /// What is drawn, in words.
 fn shown(lines: &[Line], common: &str) -> String {
     let what = match (presses(lines), moves(lines)) {
-        (false, _) => "Runup before the wall, to which no water comes: it has no force",
+        (false, true) => {
+            "Runup and displacement of a wall to which no water comes: it has no force"
+        }
+        (false, false) => "Runup before the wall, to which no water comes: it has no force",
         (true, true) => "Force (unfiltered), runup and displacement at the wall",
         (true, false) => "Force (unfiltered) and runup at the wall",
     };

@@ -73,7 +73,7 @@ pub(super) const BEDS: &[Limit] = &[
             case.has_crest() && case.wave > 0.0 && case.rows.is_some_and(|rows| rows < 20.0 - 1e-6)
         },
         "a crest that water goes over at fewer than 20 rows over the depth: at 10 and 14 rows volumes of 0.1 to 0.5 h² were \
-         16 % below to 10 % above those of 40 rows, and smaller ones 37 % below to 52 % above; error_bars = \"pair\" tells of \
+         7 % below to 8 % above those of 40 rows, and smaller ones 53 % below to 88 % above; error_bars = \"pair\" tells of \
          each how far it may be off",
     ),
     (

@@ -7,8 +7,8 @@ use crate::scene::Frame;
 use crate::simulation::told::Readings;
 use crate::theory::dam_break::ritter_front;
 
-/// Air counts as closed in from this area on, over H². The tongue that comes down from the wall closes in five to nine times
-/// as much, and what the splash of the front closes in before is a third of it at most.
+/// Air counts as closed in from this area on, over H². The tongue that comes down from the wall closes in 0.1 or more, and
+/// the splash of the front before that less than 0.008.
 const SMALLEST_CAVITY: f64 = 0.02;
 /// ... and once it has lasted this long, over √(H/g).
 const CAVITY_LASTS: f64 = 0.1;

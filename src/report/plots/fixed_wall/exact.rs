@@ -62,7 +62,7 @@ mod tests {
                 .map(|ends| (ends[1].1 - ends[0].1) / (ends[1].0 - ends[0].0))
                 .collect();
             let turn = slopes.windows(2).map(|pair| (pair[1] - pair[0]).abs()).fold(0.0, f64::max);
-            // Straight pieces turned by a fifth and more at once.
+            // Seven straight pieces turned by up to 1.07 and 0.52 at once.
             assert!(slopes.iter().all(|slope| *slope > 0.0) && turn < 0.25, "{turn}");
         }
     }
