@@ -124,15 +124,16 @@ pub struct Gives<'a> {
 
 impl Exchange {
     /// The bodies that give back what they do now.
-    pub fn gives(&self) -> Vec<Gives<'_>> {
-        let giving = self.giving.iter().filter(|giving| giving.share > 0.0);
-        giving
-            .map(|Giving { place, share, alongside, .. }| Gives {
-                group: place.number() + 1,
-                share: *share,
-                alongside: alongside.as_ref(),
-            })
-            .collect()
+    pub fn gives(&self) -> impl Iterator<Item = Gives<'_>> {
+        self.giving_now().map(|Giving { place, share, alongside, .. }| Gives {
+            group: place.number() + 1,
+            share: *share,
+            alongside: alongside.as_ref(),
+        })
+    }
+
+    fn giving_now(&self) -> impl Iterator<Item = &Giving> {
+        self.giving.iter().filter(|giving| giving.share > 0.0)
     }
 
     /// Finds how water runs into the ghosts of bodies that give back, for the steps until the next full one. The records
@@ -179,7 +180,7 @@ impl Exchange {
         (flow, factors): (Flow, &mut [Factors]),
     ) {
         given.fill(0.0);
-        for giving in self.giving.iter().filter(|giving| giving.share > 0.0) {
+        for giving in self.giving_now() {
             let (given, factors) = (&mut *given, &mut *factors);
             dispatch(path, GiveBack { exchange: self, giving, bodies, velocities, given });
             if giving.alongside.is_some() {

@@ -54,11 +54,7 @@ pub(super) fn main(args: &CompareArgs, output: &Output) -> anyhow::Result<u8> {
     for file in files.iter().flatten() {
         text.push_str(&format!("{}\n", named(file)));
     }
-    // Of a large study it takes more than all else.
-    let value = match output.is_json() {
-        true => json::value(directories, &comparison, files.as_deref()),
-        false => serde_json::Value::Null,
-    };
+    let value = output.value(|| json::value(directories, &comparison, files.as_deref()));
     output.result(&text, &value)?;
     Ok(SUCCESS)
 }

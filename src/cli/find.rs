@@ -47,7 +47,6 @@ pub(super) fn main(args: &FindArgs, output: &Output) -> anyhow::Result<u8> {
     }
     let found = find(&args.condition, &data).map_err(BadInput)?;
     let answer = Answer::new(&data, &found);
-    let value = if output.is_json() { answer.value() } else { serde_json::Value::Null };
-    output.result(&answer.told(output.verbose), &value)?;
+    output.result(&answer.told(output.verbose), &output.value(|| answer.value()))?;
     Ok(SUCCESS)
 }

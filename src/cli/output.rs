@@ -50,6 +50,11 @@ impl Output {
         written.and_then(|()| out.flush()).context("standard output")
     }
 
+    /// A result as JSON where a program reads it. That of a large study takes more than all else.
+    pub(super) fn value(&self, make: impl FnOnce() -> serde_json::Value) -> serde_json::Value {
+        if self.is_json() { make() } else { serde_json::Value::Null }
+    }
+
     /// Whether a program reads the results.
     pub(super) fn is_json(&self) -> bool {
         self.format == Format::Json

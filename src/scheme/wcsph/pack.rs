@@ -138,7 +138,7 @@ impl Wcsph {
         let water = [&*self.fluid.vx, &*self.fluid.vy];
         let numbers = (flow, &mut self.numbers[self.fluid.padded_len()..]);
         self.exchange.refresh_velocities(path, &self.ghosts, bodies, water, numbers);
-        if !self.exchange.gives().is_empty() {
+        if self.exchange.gives().next().is_some() {
             let padded = self.fluid.padded_len();
             self.bed_numbers.resize(self.numbers.len(), Factors::default());
             let numbers = (flow, &mut self.bed_numbers[padded..]);

@@ -197,7 +197,7 @@ impl Wcsph {
                     * options.state.sound_speed
                     * self.scaling.inverse_radius,
                 bodies: self.ghosts.bodies.len(),
-                gives: &self.exchange.gives(),
+                gives: &self.exchange.gives().collect::<Vec<_>>(),
                 of_bed: &self.bed_numbers,
                 support_radius: self.scaling.support_radius,
                 first_row: options.first_row_share(),
