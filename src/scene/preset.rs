@@ -196,7 +196,8 @@ impl Numerics {
         let leans = scene.seawall().is_some_and(|tank| tank.wall_angle_deg != 90.0);
         let uneven = scene.bed().is_some() || scene.has_crested_wall();
         if scene.has_train() || uneven || (again && leans) {
-            // Water creeps along walls that waves go on meeting, and along slopes; over a crest energy would be made.
+            // Water creeps along walls that waves go on meeting, and along slopes. Before a crest trains press the face
+            // otherwise than the ghosts, by up to 3.5 % at ten rows.
             self.boundary = BoundaryChoice::Normalized;
         }
         self.conservative_crest = scene.has_crested_wall();
