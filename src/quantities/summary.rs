@@ -133,7 +133,7 @@ quantities! { Read;
     });
     // Directories of the first version end here.
     /// the water's own force on the wall in the first step: forces count from there, see
-    /// [physics.md](physics.md)
+    /// [walls.md](walls.md#force)
     FORCE_AT_REST = number("force_at_rest", "F* at rest", Force, |c| Some(c.outcome?.force_at_rest));
     /// how many times a ghost that counts was filled with what a simpler interpolation gave,
     /// because the chosen one had too few or badly placed neighbours
