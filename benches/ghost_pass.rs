@@ -8,7 +8,8 @@ use std::time::Instant;
 
 use seawall::body::BodyMotion;
 use seawall::boundary::{
-    BoundaryChoice, Exchange, ExchangeRules, InterpolatorChoice, TankLayout, Water, tank_ghosts,
+    BoundaryChoice, Exchange, ExchangeRules, GhostGravity, InterpolatorChoice, TankLayout, Water,
+    tank_ghosts,
 };
 use seawall::kernel::KernelChoice;
 use seawall::keys::Shape;
@@ -136,7 +137,7 @@ fn ghost_pass(interpolator: InterpolatorChoice, spacing: f64) -> f64 {
         gravity: 9.81,
         surface_density: 1000.0,
         sound_speed: 11.2,
-        gravity_in_sum: true,
+        ghost_gravity: GhostGravity::InSum,
         no_slip: false,
         bed_between_walls: true,
         conservative_bed: false,
@@ -147,8 +148,12 @@ fn ghost_pass(interpolator: InterpolatorChoice, spacing: f64) -> f64 {
     let mut exchange = Exchange::new(rules, &ghosts);
     let places = (&strips, &fluid.x[..len], &fluid.y[..len]);
     exchange.rebuild(path, &ghosts, &bodies, places, 1.15 * radius);
-    let read =
-        Water { records: &water, pressure: &pressure, correction: Some([&ones, &ones, &ones]) };
+    let read = Water {
+        records: &water,
+        pressure: &pressure,
+        correction: Some([&ones; 3]),
+        acceleration: None,
+    };
     let mut records = vec![Record::default(); ghosts.len()];
     let mut numbers = vec![Factors::default(); ghosts.len()];
     let flow = Flow { corrected: true, strained: false, diffusing: true, sharing: false };

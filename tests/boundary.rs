@@ -4,18 +4,18 @@ mod basin;
 
 use basin::*;
 use seawall::body::BodyMotion;
-use seawall::boundary::Reflection;
+use seawall::boundary::{GhostGravity, Reflection};
 use seawall::pairs::Record;
 
 #[test]
 fn a_uniform_field_is_reproduced() {
     everywhere(|with| {
-        for in_sum in [true, false] {
+        for ghost_gravity in [GhostGravity::InSum, GhostGravity::Falling, GhostGravity::AtMirror] {
             let moving = BodyMotion { velocity: 0.7, ..BodyMotion::default() };
             let mut basin = Basin::new(&lattice(0.4), [moving; 3]);
             with(&mut basin);
             basin.rules.gravity = 0.0;
-            basin.rules.gravity_in_sum = in_sum;
+            basin.rules.ghost_gravity = ghost_gravity;
             let filled = basin.fill(|_, _| 700.0, |_, _| [0.7, 0.0]);
             assert!(basin.wet(&filled).count() > 200);
             for (_, _, [x, y], record) in basin.wet(&filled) {
@@ -42,6 +42,36 @@ fn still_water_is_continued_exactly() {
             assert_close(pressure, expected, 1e-8, &format!("ghost {g} at {x:.3}, {y:.3}"));
             assert_eq!(record[Record::PRESSURE], record[Record::PRESSURE_YY]);
             assert_eq!(record[Record::PRESSURE_XY], 0.0);
+        }
+    });
+}
+
+#[test]
+fn water_that_falls_along_the_walls_is_continued_exactly() {
+    everywhere(|with| {
+        // From free fall to twice the weight. The bed holds the water: there it has none of its own.
+        for up in [-GRAVITY, -0.4 * GRAVITY, 0.7 * GRAVITY] {
+            let mut basin = Basin::new(&lattice(0.4), still());
+            with(&mut basin);
+            basin.rules.ghost_gravity = GhostGravity::Falling;
+            basin.acceleration = [0.0, up];
+            let exact = |y: f64| DENSITY * (GRAVITY + up) * (2.0 * DEPTH - y);
+            let filled = basin.fill(|_, y| exact(y), |_, _| [0.0; 2]);
+            let rises = |g: usize| {
+                let reflection = basin.ghosts.reflection[g];
+                matches!(reflection, Reflection::Plane { normal: [nx, _] } if nx.abs() == 1.0)
+            };
+            let mut seen = 0;
+            for (g, _, [x, y], record) in basin.wet(&filled).filter(|ghost| rises(ghost.0)) {
+                seen += 1;
+                assert_close(
+                    record[Record::PRESSURE],
+                    exact(y),
+                    1e-8,
+                    &format!("ghost {g} at {x:.3}, {y:.3}"),
+                );
+            }
+            assert!(seen > 50, "{seen} ghosts beside the walls");
         }
     });
 }

@@ -7,7 +7,7 @@ use super::ghost_part::GhostPart;
 use super::ghosts::{Ghosts, Site};
 use super::giving::Giving;
 use super::image::Image;
-use super::rules::{ExchangeRules, targets};
+use super::rules::{ExchangeRules, GhostGravity, targets};
 use super::sums::{Cover, KernelWeights, Means, Near, Water, Weigh};
 use super::waterline::Waterline;
 use super::with_interpolator;
@@ -209,7 +209,7 @@ impl Exchange {
     /// From where the water's mean pressure holds to a ghost, metres.
     pub(super) fn lever(&self, ghosts: &Ghosts, g: usize, motion: &BodyMotion) -> [f64; 2] {
         let (means, lane) = (&self.means[g / LANES], g % LANES);
-        let anchor = if self.rules.gravity_in_sum {
+        let anchor = if self.rules.ghost_gravity != GhostGravity::AtMirror {
             [means.x[lane], means.y[lane]]
         } else {
             [ghosts.target_x[g] + motion.offset, ghosts.target_y[g]]

@@ -54,7 +54,7 @@ impl Exchange {
 
     /// The water's pressure at a point of a face, Pa; 0 where no water is near. `from` is what has asked for the
     /// mean around its mirror point: a ghost, or a point of a face. The weight of the water between moves that
-    /// mean to the face: p = p_m - ρ (g (y - y_m) + a (x - x_m)).
+    /// mean to the face: p = p_m - ρ (g (y - y_m) + a (x - x_m)), and what the water's own acceleration makes of it.
     pub(super) fn moved_to_face(
         &self,
         ghosts: &Ghosts,
@@ -71,6 +71,7 @@ impl Exchange {
         let density = rules.surface_density + mean / (rules.sound_speed * rules.sound_speed);
         let x = ghosts.target_x[face] + motion.offset - means.x[lane];
         let y = ghosts.target_y[face] - means.y[lane];
-        mean - density * (rules.gravity * y + motion.acceleration * x)
+        let falling = self.falling(ghosts, from, [x, y]);
+        mean - density * (rules.gravity * y + motion.acceleration * x + falling)
     }
 }

@@ -205,6 +205,7 @@ impl Filling<'_> {
         }
         image.lever[0][lane] = lever[0];
         image.lever[1][lane] = lever[1];
+        image.falling[lane] = exchange.falling(ghosts, g, [x, y]);
         image.lowest[lane] = if whole { f64::NEG_INFINITY } else { 0.0 };
         let [xx, xy, yy] = correction;
         [response * xx, response * xy, response * yy]

@@ -26,6 +26,8 @@ pub struct Image {
     /// From where the water's mean pressure holds to the ghost, metres. Nothing along x where the
     /// wall's acceleration does not count.
     pub(super) lever: [[f64; LANES]; 2],
+    /// What the water's own acceleration along the face adds to the head, m²/s².
+    pub(super) falling: [f64; LANES],
     /// The lowest pressure that there may be, Pa.
     pub(super) lowest: [f64; LANES],
 }
@@ -62,7 +64,8 @@ impl Task for Press<'_> {
             let mean = L::load(&self.means[row].pressure);
             let density = mean.mul_add(per_pressure, surface);
             let (x, y) = (L::load(&image.lever[0]), L::load(&image.lever[1]));
-            let head = L::splat(body.acceleration).mul_add(x, gravity * y);
+            let falling = L::load(&image.falling);
+            let head = L::splat(body.acceleration).mul_add(x, gravity * y) + falling;
             let pressure = mean + (zero - density) * head;
             let pressure = pressure.max(L::load(&image.lowest));
             pressure.store(&mut image.pressure);

@@ -2,12 +2,26 @@
 
 use std::ops::Range;
 
+use serde::{Deserialize, Serialize};
+
 use super::InterpolatorChoice;
 use super::ghosts::Ghosts;
 use super::sums::{Targets, Water};
 use crate::body::BodyMotion;
 use crate::kernel::KernelChoice;
 use crate::pairs::{PairList, Scaling};
+
+/// Where gravity, the wall's acceleration and the water's own enter a ghost's pressure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum GhostGravity {
+    /// Inside the sum, from each neighbour to the ghost: exact at rest.
+    InSum,
+    /// The same with the water's own acceleration along walls: exact where it falls, too. See `falling.rs`.
+    Falling,
+    /// At the mirror point, as Huang et al. 2019 print it.
+    AtMirror,
+}
 
 /// What the ghosts of a scene obey.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,8 +40,8 @@ pub struct ExchangeRules {
     pub surface_density: f64,
     /// Sound speed, m/s.
     pub sound_speed: f64,
-    /// Pressure correction inside the sum (exact at rest) rather than at the mirror point.
-    pub gravity_in_sum: bool,
+    /// What a ghost's pressure takes of gravity.
+    pub ghost_gravity: GhostGravity,
     /// Reverse the tangential velocity, too, for the viscous terms.
     pub no_slip: bool,
     /// Body 0 only counts between the bodies 1 and 2: the bed of a tank with moving ends.

@@ -18,6 +18,8 @@ pub(super) struct Means {
     pub y: [f64; LANES],
     pub vx: [f64; LANES],
     pub vy: [f64; LANES],
+    /// Along x and up, m/s².
+    pub acceleration: [[f64; LANES]; 2],
     /// Of the kernel gradient's correction: xx, xy, yy.
     pub correction: [[f64; LANES]; 3],
 }
@@ -31,6 +33,8 @@ pub struct Water<'a> {
     pub pressure: &'a [f64],
     /// Corrections of the kernel gradient (xx, xy, yy), where the scheme has them.
     pub correction: Option<[&'a [f64]; 3]>,
+    /// Accelerations of the step before, along x and up, m/s², where ghosts ask for them.
+    pub acceleration: Option<[&'a [f64]; 2]>,
 }
 
 /// Some blocks of targets with what is around them.
@@ -200,6 +204,15 @@ fn gather<L: Lanes, I: Interpolator>(
         vx = weight.mul_add(L::splat(record[Record::VX]), vx);
         vy = weight.mul_add(L::splat(record[Record::VY]), vy);
     }
+    let acceleration = water.acceleration.map_or([zero; 2], |all| {
+        let weighted = |all: &[f64]| {
+            let of_one = |sum: L, (&j, weight): (&u32, &[f64; LANES])| {
+                L::load(weight).mul_add(L::splat(all[j as usize]), sum)
+            };
+            neighbours.iter().zip(weights).fold(zero, of_one) * scale
+        };
+        all.map(weighted)
+    });
     let mut correction = [[1.0; LANES], [0.0; LANES], [1.0; LANES]];
     if let Some([all_xx, all_xy, all_yy]) = water.correction {
         let (mut xx, mut xy, mut yy) = (zero, zero, zero);
@@ -230,6 +243,7 @@ fn gather<L: Lanes, I: Interpolator>(
         y: (y * to_metres).to_array(),
         vx: (vx * scale).to_array(),
         vy: (vy * scale).to_array(),
+        acceleration: acceleration.map(L::to_array),
         correction,
     }
 }

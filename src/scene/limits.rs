@@ -9,9 +9,9 @@ use beds::BEDS;
 use super::config::CaseConfig;
 use super::facts::{Facts, Limit};
 use super::kind::Scene;
-use super::numerics::{GhostGravity, Slip};
+use super::numerics::Slip;
 use super::size;
-use crate::boundary::BoundaryChoice;
+use crate::boundary::{BoundaryChoice, GhostGravity};
 use crate::scheme::wcsph::DensityDiffusion;
 
 /// What is known to go wrong, or to be inaccurate, with a case; a line each, the same line for the

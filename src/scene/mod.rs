@@ -47,7 +47,7 @@ pub use frame::Frame;
 pub use happening::FALLS_FREE;
 pub use kind::{Kind, Scene};
 pub use limits::limits;
-pub use numerics::{ErrorBars, GhostGravity, IncompressibleNumerics, Numerics, Scheme, Slip};
+pub use numerics::{ErrorBars, IncompressibleNumerics, Numerics, Scheme, Slip};
 pub use odd::odd_values;
 pub use preset::Preset;
 pub use probe::{CREST_COLUMNS, OVER_STILL_WATER, Probe, ProbeKind, Side};

@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use crate::boundary::{
-    AMPLIFICATION_LIMIT, BoundaryChoice, Dummy, ImprovedShepard, InterpolatorChoice, MlsLinear,
-    MlsQuadratic, Normalized, Sfdi, SfdiMatrix,
+    AMPLIFICATION_LIMIT, BoundaryChoice, Dummy, GhostGravity, ImprovedShepard, InterpolatorChoice,
+    MlsLinear, MlsQuadratic, Normalized, Sfdi, SfdiMatrix,
 };
 use crate::kernel::KernelChoice;
 use crate::keys::{Rule, Section, section};
@@ -24,16 +24,6 @@ pub enum Scheme {
     Wcsph,
     /// Incompressible SPH, Liang et al. 2017.
     Isph,
-}
-
-/// Where gravity and the wall's acceleration enter a ghost's pressure.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum GhostGravity {
-    /// Inside the sum, from each neighbour to the ghost: exact at rest.
-    InSum,
-    /// At the mirror point, as Huang et al. 2019 print it.
-    AtMirror,
 }
 
 /// Tangential condition at walls.

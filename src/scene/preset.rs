@@ -8,10 +8,8 @@ use toml::{Table, Value};
 
 use super::frame::Frame;
 use super::kind::Scene;
-use super::numerics::{
-    GhostGravity, IncompressibleNumerics, LEAST_SOUND_SPEED_RATIO, Numerics, Scheme,
-};
-use crate::boundary::BoundaryChoice;
+use super::numerics::{IncompressibleNumerics, LEAST_SOUND_SPEED_RATIO, Numerics, Scheme};
+use crate::boundary::{BoundaryChoice, GhostGravity};
 use crate::kernel::KernelChoice;
 use crate::keys::{ConfigError, Section, Shared, check_conditions, number, section};
 use crate::scheme::wcsph::{DensityDiffusion, Shifting};
@@ -199,6 +197,10 @@ impl Numerics {
             // Water creeps along walls that waves go on meeting, and along slopes. Before a crest trains press the face
             // otherwise than the ghosts, by up to 3.5 % at ten rows.
             self.boundary = BoundaryChoice::Normalized;
+        }
+        if scene.has_train() {
+            // Ghosts that see all water as at rest take a train's energy at the wall.
+            self.ghost_gravity = GhostGravity::Falling;
         }
         self.conservative_crest = scene.has_crested_wall();
         if scene.has_train() || scene.stirs_at_shore(particle_spacing) || again {

@@ -3,7 +3,7 @@
 use super::bed_lattice::BedLattice;
 use super::filling::{Filling, WALL_HEIGHT, Walls};
 use super::frame::Frame;
-use super::numerics::{GhostGravity, Numerics, Scheme as SchemeChoice, Slip};
+use super::numerics::{Numerics, Scheme as SchemeChoice, Slip};
 use super::packing::{Packing, Uneven};
 use super::tank::Tank;
 use crate::body::Place;
@@ -58,7 +58,7 @@ impl Filling {
         let rules = Wcsph::exchange_rules(
             &options,
             numerics.interpolator(),
-            numerics.ghost_gravity == GhostGravity::InSum,
+            numerics.ghost_gravity,
             numerics.slip == Slip::No,
         );
         let level = self.profile.is_none();

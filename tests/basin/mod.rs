@@ -2,8 +2,8 @@
 
 use seawall::body::BodyMotion;
 use seawall::boundary::{
-    Exchange, ExchangeRules, Ghosts, ImprovedShepard, InterpolatorChoice, TankLayout, Water,
-    tank_ghosts,
+    Exchange, ExchangeRules, GhostGravity, Ghosts, ImprovedShepard, InterpolatorChoice, TankLayout,
+    Water, tank_ghosts,
 };
 use seawall::kernel::KernelChoice;
 use seawall::math::simd::{LANES, SimdPath};
@@ -60,6 +60,8 @@ pub struct Basin {
     pub fluid: Fluid,
     pub strips: Strips,
     pub responds: usize,
+    /// The water's, m/s².
+    pub acceleration: [f64; 2],
 }
 
 /// What an exchange wrote.
@@ -100,7 +102,7 @@ impl Basin {
                 gravity: GRAVITY,
                 surface_density: DENSITY,
                 sound_speed: RIGID,
-                gravity_in_sum: true,
+                ghost_gravity: GhostGravity::InSum,
                 no_slip: false,
                 bed_between_walls: true,
                 conservative_bed: false,
@@ -111,6 +113,7 @@ impl Basin {
             fluid,
             strips,
             responds: NOBODY,
+            acceleration: [0.0; 2],
         }
     }
 
@@ -132,7 +135,7 @@ impl Basin {
         pressure: impl Fn(f64, f64) -> f64,
         velocity: impl Fn(f64, f64) -> [f64; 2],
     ) -> Filled {
-        let Basin { path, rules, ghosts, bodies, fluid, strips, responds } = self;
+        let Basin { path, rules, ghosts, bodies, fluid, strips, responds, acceleration } = self;
         let places = || fluid.x.iter().zip(&fluid.y);
         let pressures: Vec<f64> = places().map(|(&x, &y)| pressure(x, y)).collect();
         let scaling = rules.scaling;
@@ -149,7 +152,9 @@ impl Basin {
         let len = fluid.len();
         let places = (&*strips, &fluid.x[..len], &fluid.y[..len]);
         exchange.rebuild(*path, ghosts, bodies, places, 1.2 * RADIUS);
-        let read = Water { records: &water, pressure: &pressures, correction: None };
+        let all = acceleration.map(|along| vec![along; fluid.padded_len()]);
+        let acceleration = Some(all.each_ref().map(Vec::as_slice));
+        let read = Water { records: &water, pressure: &pressures, correction: None, acceleration };
         exchange.weigh(*path, ghosts, bodies, read);
         let mut records = vec![Record::default(); ghosts.len()];
         exchange.fill(*path, ghosts, bodies, *responds, &mut records);

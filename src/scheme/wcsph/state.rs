@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Carried, DensityDiffusion, WcsphOptions, Workspace};
 use crate::body::BodyMotion;
-use crate::boundary::{Exchange, ExchangeRules, Ghosts, InterpolatorChoice, Plane};
+use crate::boundary::{Exchange, ExchangeRules, GhostGravity, Ghosts, InterpolatorChoice, Plane};
 use crate::math::simd::SimdPath;
 use crate::pairs::{Column, Factors, Fluid, Pairs, Record, Scaling, SingleRecord};
 use crate::scheme::{Phases, Taken};
@@ -135,7 +135,7 @@ impl Wcsph {
     pub fn exchange_rules(
         options: &WcsphOptions,
         interpolator: InterpolatorChoice,
-        gravity_in_sum: bool,
+        ghost_gravity: GhostGravity,
         no_slip: bool,
     ) -> ExchangeRules {
         ExchangeRules {
@@ -146,7 +146,7 @@ impl Wcsph {
             gravity: options.gravity,
             surface_density: options.state.surface_density,
             sound_speed: options.state.sound_speed,
-            gravity_in_sum,
+            ghost_gravity,
             no_slip,
             bed_between_walls: true,
             conservative_bed: options.conservative_bed,
