@@ -101,7 +101,7 @@ fn waves_on_their_way_are_those_of_stream_function_theory() {
     // Shifting that also acts under the surface lifts the water: it goes on and ruins long runs. A correction
     // that lags lowers it. Here the one makes up for most of the other.
     let lifted = "shifting = \"interior\"\nvolume_feedback = 0\nextrapolated_correction = false\n\
-                  limited_viscosity = true";
+                  limited_viscosity = true\nghost_gravity = \"in-sum\"";
     let found = Passing::with("schaffer", lifted);
     // They lose 0.4 % of the energy on each wavelength, which the default does not.
     hold(&found, Some([0.03, 1e-4]));
