@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::camera::Take;
 use crate::boundary::Profile;
-use crate::scene::{CaseConfig, Scene, SeawallScene, WallChoice};
+use crate::scene::{CaseConfig, Scene, SeawallScene, WallChoice, Walls};
 
 /// What holds the water at the end of the tank.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -101,7 +101,7 @@ impl Stage {
         let (depth, length) = (frame.depth, frame.length);
         let spacing = config.numerics.particle_spacing_m;
         let (wall, angle) = match scene {
-            Scene::RotatingPatch(_) | Scene::OscillatingDrop(_) => (WallKind::None, 90.0),
+            _ if scene.walls() == Walls::None => (WallKind::None, 90.0),
             Scene::Seawall(scene) => match scene.wall {
                 WallChoice::Fixed if scene.crest.is_some() => (WallKind::Crest, 90.0),
                 WallChoice::Fixed => (WallKind::Fixed, scene.wall_angle_deg),
@@ -140,7 +140,7 @@ impl Stage {
                 near,
             };
         }
-        let lid = matches!(scene, Scene::TaylorGreen(_)).then_some(length);
+        let lid = (scene.walls() == Walls::Closed).then_some(length);
         let top = extreme(1, f64::max, depth).min(4.0 * depth);
         let tall = lid.unwrap_or(top.max(1.3 * depth) + 0.5 * margin);
         let farthest = takes.iter().map(|take| take.walls[1]).fold(0.0, f64::max);

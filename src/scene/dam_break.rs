@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::contract::SceneOfKind;
 use super::filling::Filling;
 use super::frame::Frame;
 use super::lattice::Lattice;
@@ -47,26 +48,6 @@ section! {
 const END: f64 = 8.0;
 
 impl DamBreakScene {
-    pub(super) fn validate(&self) -> Result<(), ConfigError> {
-        if self.tank_length_m < self.column_length_m {
-            let allowed = "must be at least column_length_m";
-            return Err(ConfigError::new("scene.tank_length_m", self.tank_length_m, allowed));
-        }
-        Ok(())
-    }
-
-    pub(super) fn frame(&self) -> Frame {
-        Frame {
-            length: self.tank_length_m,
-            depth: self.column_height_m,
-            gravity: self.gravity_m_per_s2,
-            speed: None,
-            density: self.water_density_kg_per_m3,
-            end_time: self.end_time_s.unwrap_or(self.usual_end()),
-            history_interval: self.history_interval_s,
-        }
-    }
-
     /// Whether it goes on when the front has come back from the wall and plunges on the water behind it, or when
     /// nothing is left of the column.
     pub(super) fn plunges(&self) -> bool {
@@ -89,12 +70,44 @@ impl DamBreakScene {
         self.column_length_m * self.column_height_m / (self.tank_length_m * spacing)
     }
 
-    pub(super) fn lattice(&self, numerics: &Numerics) -> Lattice {
+    fn lattice(&self, numerics: &Numerics) -> Lattice {
         let size = [self.column_length_m, self.column_height_m];
         Lattice::new(size, numerics.particle_spacing_m, 90.0)
     }
+}
 
-    pub(super) fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
+impl SceneOfKind for DamBreakScene {
+    const DEPTH: &'static str = "column height";
+
+    fn frame(&self) -> Frame {
+        Frame {
+            length: self.tank_length_m,
+            depth: self.column_height_m,
+            gravity: self.gravity_m_per_s2,
+            speed: None,
+            density: self.water_density_kg_per_m3,
+            end_time: self.end_time_s.unwrap_or(self.usual_end()),
+            history_interval: self.history_interval_s,
+        }
+    }
+
+    fn water_area(&self) -> f64 {
+        self.column_length_m * self.column_height_m
+    }
+
+    fn particles(&self, numerics: &Numerics) -> usize {
+        self.lattice(numerics).particles()
+    }
+
+    fn validate(&self, _: &Numerics) -> Result<(), ConfigError> {
+        if self.tank_length_m < self.column_length_m {
+            let allowed = "must be at least column_length_m";
+            return Err(ConfigError::new("scene.tank_length_m", self.tank_length_m, allowed));
+        }
+        Ok(())
+    }
+
+    fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
         let frame = self.frame();
         let lattice = self.lattice(numerics);
         let sound_speed = frame.sound_speed(numerics);

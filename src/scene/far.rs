@@ -1,5 +1,6 @@
 //! How far a solitary wave pushes a wall on a soft spring, roughly: a run ends where the wall has come loose.
 
+use super::contract::SceneOfKind;
 use super::seawall::{SeawallScene, WallChoice};
 
 /// A wall farther out than this, X*, has come loose.

@@ -1,6 +1,7 @@
 //! A scene's water and what holds it, before any scheme.
 
 use super::bed_lattice::BedLattice;
+use super::contract::Walls;
 use super::frame::Frame;
 use super::lattice::Lattice;
 use super::numerics::Numerics;
@@ -9,17 +10,6 @@ use crate::theory::central_field::CentralField;
 
 /// Walls rise to this many depths above the bed.
 pub(super) const WALL_HEIGHT: f64 = 4.0;
-
-/// What holds the water.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Walls {
-    /// A bed and two walls that rise from it.
-    Tank,
-    /// A box, lid included, that the water fills.
-    Closed,
-    /// Nothing.
-    None,
-}
 
 /// Water and what holds it.
 pub(super) struct Filling {

@@ -1,5 +1,6 @@
 //! What happens in a scene, as far as the numerics that suit it depend on that.
 
+use super::contract::SceneOfKind;
 use super::frame::Frame;
 use super::kind::Scene;
 use super::seawall::SeawallScene;

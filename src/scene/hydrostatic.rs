@@ -1,10 +1,11 @@
 //! Still water in a box: Huang et al. 2019, Figs. 2-4.
 
+use super::contract::SceneOfKind;
 use super::filling::Filling;
 use super::frame::Frame;
 use super::lattice::Lattice;
+use super::leaning;
 use super::numerics::Numerics;
-use super::seawall::validate_lean;
 use super::still_water::still_water;
 use super::tank::Tank;
 use crate::keys::{ConfigError, section};
@@ -31,11 +32,15 @@ section! {
 }
 
 impl HydrostaticScene {
-    pub(super) fn validate(&self) -> Result<(), ConfigError> {
-        validate_lean(self.wall_angle_deg, self.still_water_depth_m, self.tank_length_m)
+    fn lattice(&self, numerics: &Numerics) -> Lattice {
+        Lattice::whole(&self.frame(), numerics, self.wall_angle_deg)
     }
+}
 
-    pub(super) fn frame(&self) -> Frame {
+impl SceneOfKind for HydrostaticScene {
+    const DEPTH: &'static str = "still water depth";
+
+    fn frame(&self) -> Frame {
         Frame {
             length: self.tank_length_m,
             depth: self.still_water_depth_m,
@@ -47,11 +52,19 @@ impl HydrostaticScene {
         }
     }
 
-    pub(super) fn lattice(&self, numerics: &Numerics) -> Lattice {
-        Lattice::whole(&self.frame(), numerics, self.wall_angle_deg)
+    fn water_area(&self) -> f64 {
+        leaning::water_area(self.wall_angle_deg, &self.frame())
     }
 
-    pub(super) fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
+    fn particles(&self, numerics: &Numerics) -> usize {
+        self.lattice(numerics).particles()
+    }
+
+    fn validate(&self, _: &Numerics) -> Result<(), ConfigError> {
+        leaning::validate(self.wall_angle_deg, self.still_water_depth_m, self.tank_length_m)
+    }
+
+    fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
         let frame = self.frame();
         let filling = Filling {
             wall_angle_deg: self.wall_angle_deg,

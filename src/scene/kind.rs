@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
 
+use super::contract::{SceneOfKind, Walls};
 use super::frame::Frame;
 use super::numerics::{Numerics, Scheme};
 use super::seawall::SeawallScene;
@@ -159,32 +160,20 @@ impl Scene {
 
     /// Fluid particles.
     pub fn particles(&self, numerics: &Numerics) -> usize {
-        if let Some(SeawallScene { bed: Some(_), .. }) = self.seawall() {
-            return (self.water_area() / numerics.particle_spacing_m.powi(2)).round() as usize;
-        }
-        let basin = self.seawall().and_then(|scene| scene.basin_lattice(numerics));
-        let behind = basin.map_or(0, |lattice| lattice.particles());
-        each!(self, scene => scene.lattice(numerics).particles()) + behind
+        each!(self, scene => scene.particles(numerics))
     }
 
     /// Area of the water at the start, square metres.
     pub(super) fn water_area(&self) -> f64 {
-        let frame = self.frame();
-        let upto = |angle_deg: f64| {
-            let lean =
-                if angle_deg == 90.0 { 0.0 } else { 1.0 / libm::tan(angle_deg.to_radians()) };
-            frame.depth * (frame.length - 0.5 * lean * frame.depth)
-        };
-        match self {
-            Scene::Seawall(scene) => {
-                let bed = scene.uneven_bed().map(|bed| bed.area_below(frame.depth));
-                bed.unwrap_or_else(|| upto(scene.wall_angle_deg)) + scene.basin_area()
-            }
-            Scene::Hydrostatic(scene) => upto(scene.wall_angle_deg),
-            Scene::DamBreak(scene) => scene.column_length_m * scene.column_height_m,
-            Scene::OscillatingDrop(scene) => std::f64::consts::PI * scene.radius_m * scene.radius_m,
-            _ => frame.length * frame.depth,
+        each!(self, scene => scene.water_area())
+    }
+
+    /// What holds the water.
+    pub fn walls(&self) -> Walls {
+        fn told<S: SceneOfKind>(_: &S) -> Walls {
+            S::WALLS
         }
+        each!(self, scene => told(scene))
     }
 
     /// Builds the tank.
@@ -194,41 +183,24 @@ impl Scene {
 
     /// What the scene's depth is, in words.
     pub(super) fn depth_name(&self) -> &'static str {
-        match self {
-            Scene::Seawall(_) | Scene::Hydrostatic(_) | Scene::StandingWave(_) => {
-                "still water depth"
-            }
-            Scene::DamBreak(_) => "column height",
-            Scene::TaylorGreen(_) => "box's side",
-            Scene::RotatingPatch(_) => "patch's side",
-            Scene::OscillatingDrop(_) => "drop's diameter",
+        fn told<S: SceneOfKind>(_: &S) -> &'static str {
+            S::DEPTH
         }
+        each!(self, scene => told(scene))
     }
 
     /// Checks what no key can tell alone, and that the scheme can take it.
     pub(super) fn validate(&self, numerics: &Numerics) -> Result<(), ConfigError> {
-        match self {
-            Scene::Seawall(scene) => {
-                scene.validate()?;
-                scene.validate_bed(numerics)?;
-                scene.validate_runup(numerics)?;
-                scene.validate_crest(numerics)?;
-                scene.validate_absorption(numerics)?;
+        fn why_not<S: SceneOfKind>(_: &S) -> Option<&'static str> {
+            S::NOT_FOR_ISPH
+        }
+        each!(self, scene => scene.validate(numerics))?;
+        match each!(self, scene => why_not(scene)) {
+            Some(why) if numerics.scheme == Scheme::Isph => {
+                let allowed = format!("{} {why}", self.kind());
+                Err(ConfigError::new("numerics.scheme", "\"isph\"", allowed))
             }
-            Scene::Hydrostatic(scene) => scene.validate()?,
-            Scene::DamBreak(scene) => scene.validate()?,
-            Scene::OscillatingDrop(scene) => scene.validate()?,
-            Scene::StandingWave(_) | Scene::TaylorGreen(_) | Scene::RotatingPatch(_) => {}
+            _ => Ok(()),
         }
-        let why = match self {
-            Scene::TaylorGreen(_) => "has no surface, which isph takes its pressure from",
-            Scene::OscillatingDrop(_) => "lies in a central field, which isph does not know",
-            _ => return Ok(()),
-        };
-        if numerics.scheme == Scheme::Isph {
-            let allowed = format!("{} {why}", self.kind());
-            return Err(ConfigError::new("numerics.scheme", "\"isph\"", allowed));
-        }
-        Ok(())
     }
 }

@@ -7,6 +7,7 @@
 mod bed_demands;
 mod bed_lattice;
 mod config;
+mod contract;
 mod crest;
 mod crest_demands;
 mod dam_break;
@@ -19,6 +20,7 @@ mod happening;
 mod hydrostatic;
 mod kind;
 mod lattice;
+mod leaning;
 mod limits;
 mod numerics;
 mod odd;
@@ -39,6 +41,7 @@ mod taylor_green;
 mod water;
 
 pub use config::CaseConfig;
+pub use contract::Walls;
 pub use declared::{
     Place, numerics_keys, place_of, probe_keys, scene_keys, takes_whole, unknown_keys,
 };

@@ -3,6 +3,7 @@
 mod probes;
 
 use super::config::CaseConfig;
+use super::contract::SceneOfKind;
 use super::far::{self, FARTHEST_WALL};
 use super::kind::Scene;
 use super::numerics::Numerics;

@@ -2,7 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use super::filling::{Filling, Walls};
+use super::contract::{SceneOfKind, Walls};
+use super::filling::Filling;
 use super::frame::Frame;
 use super::lattice::Lattice;
 use super::numerics::Numerics;
@@ -31,7 +32,7 @@ section! {
 }
 
 /// Places on rings about the origin: (x, y, area).
-pub(super) struct Rings(Vec<[f64; 3]>);
+struct Rings(Vec<[f64; 3]>);
 
 impl Rings {
     fn new(radius: f64, spacing: f64) -> Rings {
@@ -50,11 +51,6 @@ impl Rings {
         }
         Rings(points)
     }
-
-    /// Number of particles.
-    pub(super) fn particles(&self) -> usize {
-        self.0.len()
-    }
 }
 
 impl OscillatingDropScene {
@@ -63,13 +59,18 @@ impl OscillatingDropScene {
         EllipticDrop::circle(self.radius_m, self.field_rate_per_s, self.stretching_rate_per_s)
     }
 
-    pub(super) fn validate(&self) -> Result<(), ConfigError> {
-        let most = 3.0 * self.field_rate_per_s;
-        let range = Range::Within(1e-6 * most, most);
-        range.check("scene.stretching_rate_per_s", self.stretching_rate_per_s)
+    fn rings(&self, numerics: &Numerics) -> Rings {
+        Rings::new(self.radius_m, numerics.particle_spacing_m)
     }
+}
 
-    pub(super) fn frame(&self) -> Frame {
+impl SceneOfKind for OscillatingDropScene {
+    const DEPTH: &'static str = "drop's diameter";
+    const WALLS: Walls = Walls::None;
+    const NOT_FOR_ISPH: Option<&'static str> =
+        Some("lies in a central field, which isph does not know");
+
+    fn frame(&self) -> Frame {
         let period = self.drop_at_start().period();
         Frame {
             length: 2.0 * self.radius_m,
@@ -82,14 +83,24 @@ impl OscillatingDropScene {
         }
     }
 
-    pub(super) fn lattice(&self, numerics: &Numerics) -> Rings {
-        Rings::new(self.radius_m, numerics.particle_spacing_m)
+    fn water_area(&self) -> f64 {
+        std::f64::consts::PI * self.radius_m * self.radius_m
     }
 
-    pub(super) fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
+    fn particles(&self, numerics: &Numerics) -> usize {
+        self.rings(numerics).0.len()
+    }
+
+    fn validate(&self, _: &Numerics) -> Result<(), ConfigError> {
+        let most = 3.0 * self.field_rate_per_s;
+        let range = Range::Within(1e-6 * most, most);
+        range.check("scene.stretching_rate_per_s", self.stretching_rate_per_s)
+    }
+
+    fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
         let (frame, start) = (self.frame(), self.drop_at_start());
         let state = frame.state_equation(numerics, frame.density);
-        let points = self.lattice(numerics).0.into_iter().map(|[x, y, area]| {
+        let points = self.rings(numerics).0.into_iter().map(|[x, y, area]| {
             let pressure = frame.density * start.pressure_over_density([x, y]);
             let density = state.density(pressure);
             [x, y, density, density * area]
@@ -97,7 +108,7 @@ impl OscillatingDropScene {
         let size = [frame.length; 2];
         let lattice = Lattice::new(size, numerics.particle_spacing_m, 90.0);
         let filling = Filling {
-            walls: Walls::None,
+            walls: Self::WALLS,
             field: Some(CentralField { centre: [0.0; 2], rate: self.field_rate_per_s }),
             ..Filling::of(lattice, points.collect(), frame.density)
         };

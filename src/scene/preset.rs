@@ -6,6 +6,7 @@ use std::sync::LazyLock;
 use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
 
+use super::contract::Walls;
 use super::frame::Frame;
 use super::kind::Scene;
 use super::numerics::{IncompressibleNumerics, LEAST_SOUND_SPEED_RATIO, Numerics, Scheme};
@@ -121,7 +122,7 @@ impl Numerics {
             return Err(ConfigError::new("numerics.scheme", "\"wcsph\"", allowed));
         }
         let mut base = Numerics::preset(preset);
-        if matches!(scene, Scene::DamBreak(_) | Scene::TaylorGreen(_)) {
+        if matches!(scene, Scene::DamBreak(_)) || scene.walls() == Walls::Closed {
             // A front that hits a wall leaves no time in which pairs could hold their geometry. In a box
             // that water fills no surface lets sound go, and full steps would feed what is resonant.
             base.acoustic_substeps = 1;

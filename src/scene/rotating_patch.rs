@@ -1,6 +1,7 @@
 //! A square patch of water in free rotation: tension inside, arms that grow from its corners.
 
-use super::filling::{Filling, Walls};
+use super::contract::{SceneOfKind, Walls};
+use super::filling::Filling;
 use super::frame::Frame;
 use super::lattice::Lattice;
 use super::numerics::Numerics;
@@ -32,7 +33,16 @@ impl RotatingPatchScene {
         RotatingPatch { side: self.side_m, rate: self.rotation_rate_per_s }
     }
 
-    pub(super) fn frame(&self) -> Frame {
+    fn lattice(&self, numerics: &Numerics) -> Lattice {
+        Lattice::whole(&self.frame(), numerics, 90.0)
+    }
+}
+
+impl SceneOfKind for RotatingPatchScene {
+    const DEPTH: &'static str = "patch's side";
+    const WALLS: Walls = Walls::None;
+
+    fn frame(&self) -> Frame {
         Frame {
             length: self.side_m,
             depth: self.side_m,
@@ -44,18 +54,18 @@ impl RotatingPatchScene {
         }
     }
 
-    pub(super) fn lattice(&self, numerics: &Numerics) -> Lattice {
-        Lattice::whole(&self.frame(), numerics, 90.0)
+    fn particles(&self, numerics: &Numerics) -> usize {
+        self.lattice(numerics).particles()
     }
 
-    pub(super) fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
+    fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
         let (frame, patch, lattice) = (self.frame(), self.patch(), self.lattice(numerics));
         let half = 0.5 * self.side_m;
         let points = lattice.points(|_, _| [frame.density; 2]);
         let centred =
             points.into_iter().map(|[x, y, of_state, mass]| [x - half, y - half, of_state, mass]);
         let filling = Filling {
-            walls: Walls::None,
+            walls: Self::WALLS,
             ..Filling::of(lattice, centred.collect(), frame.density)
         };
         let filling = filling

@@ -3,7 +3,6 @@
 use serde::{Deserialize, Serialize};
 
 use super::crest::{Behind, CrestKeys, FloorKeys};
-use super::filling::WALL_HEIGHT;
 use crate::body::{
     CaissonKeys, FixedWall, GoringPaddle, Paddle, RecordedStroke, RecordedStrokeKeys, SpringWall,
     Wall, WaveTrain, WaveTrainKeys,
@@ -228,16 +227,4 @@ impl SeawallScene {
 
 pub(super) fn error(key: &str, value: impl ToString, allowed: &str) -> Result<(), ConfigError> {
     Err(ConfigError::new(&format!("scene.{key}"), value, allowed))
-}
-
-/// An inclined wall must stay clear of the other end as far up as it goes.
-pub(super) fn validate_lean(angle_deg: f64, depth: f64, length: f64) -> Result<(), ConfigError> {
-    let reach = WALL_HEIGHT * depth / libm::tan(angle_deg.to_radians());
-    if angle_deg >= 90.0 || reach <= 0.9 * length {
-        return Ok(());
-    }
-    let allowed = format!(
-        "leans over the whole tank: {WALL_HEIGHT} depths up it has come {reach:.2} m of {length} m"
-    );
-    Err(ConfigError::new("scene.wall_angle_deg", angle_deg, allowed))
 }

@@ -1,8 +1,9 @@
 //! What tank, paddle and wall of a seawall ask of one another.
 
+use super::leaning;
 use super::numerics::{Numerics, Scheme};
 use super::seawall::{
-    FORCE_COUPLING, PaddleChoice, SeawallScene, THRESHOLD_RATIO, WallChoice, error, validate_lean,
+    FORCE_COUPLING, PaddleChoice, SeawallScene, THRESHOLD_RATIO, WallChoice, error,
 };
 use crate::body::CaissonKeys;
 use crate::keys::ConfigError;
@@ -17,7 +18,7 @@ const LONGEST: f64 = 1e4;
 
 impl SeawallScene {
     /// Checks what tank, paddle and wall ask of one another.
-    pub(super) fn validate(&self) -> Result<(), ConfigError> {
+    pub(super) fn validate_parts(&self) -> Result<(), ConfigError> {
         if self.wave_gauge_m >= self.tank_length_m {
             return error("wave_gauge_m", self.wave_gauge_m, "must lie inside the tank");
         }
@@ -96,7 +97,7 @@ impl SeawallScene {
             }
         }
         self.caisson.as_deref().map_or(Ok(()), CaissonKeys::validate)?;
-        validate_lean(angle, self.still_water_depth_m, self.tank_length_m)
+        leaning::validate(angle, self.still_water_depth_m, self.tank_length_m)
     }
 
     /// Still water depth where the wall stands, metres; 0 where it stands dry.

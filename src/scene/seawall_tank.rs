@@ -1,12 +1,15 @@
 //! How a seawall scene becomes a tank.
 
+use super::contract::SceneOfKind;
 use super::filling::{Basin, Filling};
 use super::frame::Frame;
 use super::lattice::Lattice;
+use super::leaning;
 use super::numerics::Numerics;
 use super::seawall::SeawallScene;
 use super::still_water::{basin, still_water, still_water_over};
 use super::tank::Tank;
+use crate::keys::ConfigError;
 use crate::math::simd::SimdPath;
 use crate::theory::hydrostatics::wall_force;
 
@@ -27,18 +30,6 @@ impl SeawallScene {
             let centre = self.paddle().and_then(|paddle| paddle.stroke_centre());
             centre.unwrap_or(0.0) + self.end_after_stroke_centre_s
         })
-    }
-
-    pub(super) fn frame(&self) -> Frame {
-        Frame {
-            length: self.tank_length_m,
-            depth: self.still_water_depth_m,
-            gravity: self.gravity_m_per_s2,
-            speed: None,
-            density: self.water_density_kg_per_m3,
-            end_time: self.end_time(),
-            history_interval: self.history_interval_s,
-        }
     }
 
     pub(super) fn lattice(&self, numerics: &Numerics) -> Lattice {
@@ -70,9 +61,48 @@ impl SeawallScene {
         let back = self.paddle().map_or(0.0, |paddle| paddle.goes_back());
         if self.absorption || back > LEAST_BACK * depth { BED_BEFORE * depth + back } else { 0.0 }
     }
+}
 
-    /// Builds the tank: a lattice of particles in hydrostatic balance between ghost walls.
-    pub(super) fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
+impl SceneOfKind for SeawallScene {
+    const DEPTH: &'static str = "still water depth";
+
+    fn frame(&self) -> Frame {
+        Frame {
+            length: self.tank_length_m,
+            depth: self.still_water_depth_m,
+            gravity: self.gravity_m_per_s2,
+            speed: None,
+            density: self.water_density_kg_per_m3,
+            end_time: self.end_time(),
+            history_interval: self.history_interval_s,
+        }
+    }
+
+    fn water_area(&self) -> f64 {
+        let frame = self.frame();
+        let bed = self.uneven_bed().map(|bed| bed.area_below(frame.depth));
+        let before = bed.unwrap_or_else(|| leaning::water_area(self.wall_angle_deg, &frame));
+        before + self.basin_area()
+    }
+
+    fn particles(&self, numerics: &Numerics) -> usize {
+        if self.bed.is_some() {
+            return (self.water_area() / numerics.particle_spacing_m.powi(2)).round() as usize;
+        }
+        let behind = self.basin_lattice(numerics).map_or(0, |lattice| lattice.particles());
+        self.lattice(numerics).particles() + behind
+    }
+
+    fn validate(&self, numerics: &Numerics) -> Result<(), ConfigError> {
+        self.validate_parts()?;
+        self.validate_bed(numerics)?;
+        self.validate_runup(numerics)?;
+        self.validate_crest(numerics)?;
+        self.validate_absorption(numerics)
+    }
+
+    /// A lattice of particles in hydrostatic balance between ghost walls.
+    fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
         let frame = self.frame();
         let lattice = self.lattice(numerics);
         let still = match self.uneven_bed() {

@@ -1,5 +1,6 @@
 //! A small standing wave in a box: its period and its decay are known exactly.
 
+use super::contract::SceneOfKind;
 use super::frame::Frame;
 use super::lattice::Lattice;
 use super::numerics::Numerics;
@@ -51,7 +52,15 @@ impl StandingWaveScene {
         std::f64::consts::TAU / self.wave().frequency()
     }
 
-    pub(super) fn frame(&self) -> Frame {
+    fn lattice(&self, numerics: &Numerics) -> Lattice {
+        Lattice::whole(&self.frame(), numerics, 90.0)
+    }
+}
+
+impl SceneOfKind for StandingWaveScene {
+    const DEPTH: &'static str = "still water depth";
+
+    fn frame(&self) -> Frame {
         Frame {
             length: self.tank_length_m,
             depth: self.still_water_depth_m,
@@ -63,11 +72,11 @@ impl StandingWaveScene {
         }
     }
 
-    pub(super) fn lattice(&self, numerics: &Numerics) -> Lattice {
-        Lattice::whole(&self.frame(), numerics, 90.0)
+    fn particles(&self, numerics: &Numerics) -> usize {
+        self.lattice(numerics).particles()
     }
 
-    pub(super) fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
+    fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
         let (frame, wave, speed) = (self.frame(), self.wave(), self.surface_speed());
         let still = still_water(&frame, self.lattice(numerics), numerics);
         let filling = still.moving(|place| wave.velocity(place).map(|part| speed * part));

@@ -1,6 +1,7 @@
 //! Taylor-Green vortices in a closed box that the water fills: viscosity alone slows them.
 
-use super::filling::{Filling, Walls};
+use super::contract::{SceneOfKind, Walls};
+use super::filling::Filling;
 use super::frame::Frame;
 use super::lattice::Lattice;
 use super::numerics::Numerics;
@@ -39,7 +40,18 @@ impl TaylorGreenScene {
         }
     }
 
-    pub(super) fn frame(&self) -> Frame {
+    fn lattice(&self, numerics: &Numerics) -> Lattice {
+        Lattice::whole(&self.frame(), numerics, 90.0)
+    }
+}
+
+impl SceneOfKind for TaylorGreenScene {
+    const DEPTH: &'static str = "box's side";
+    const WALLS: Walls = Walls::Closed;
+    const NOT_FOR_ISPH: Option<&'static str> =
+        Some("has no surface, which isph takes its pressure from");
+
+    fn frame(&self) -> Frame {
         Frame {
             length: self.box_side_m,
             depth: self.box_side_m,
@@ -51,16 +63,15 @@ impl TaylorGreenScene {
         }
     }
 
-    pub(super) fn lattice(&self, numerics: &Numerics) -> Lattice {
-        Lattice::whole(&self.frame(), numerics, 90.0)
+    fn particles(&self, numerics: &Numerics) -> usize {
+        self.lattice(numerics).particles()
     }
 
-    pub(super) fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
+    fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
         let (frame, flow, lattice) = (self.frame(), self.flow(), self.lattice(numerics));
         let mean = self.background_pressure_ratio * flow.speed * flow.speed;
         let points = lattice.points(|_, _| [frame.density; 2]);
-        let filling =
-            Filling { walls: Walls::Closed, ..Filling::of(lattice, points, frame.density) };
+        let filling = Filling { walls: Self::WALLS, ..Filling::of(lattice, points, frame.density) };
         let pressure = |place| frame.density * (mean + flow.pressure_over_density(place));
         let filling =
             filling.under(&frame, numerics, pressure).moving(|place| flow.velocity(place));

@@ -1,7 +1,8 @@
 //! A filling as a scheme's water between ghosts, ready to be stepped.
 
 use super::bed_lattice::BedLattice;
-use super::filling::{Filling, WALL_HEIGHT, Walls};
+use super::contract::Walls;
+use super::filling::{Filling, WALL_HEIGHT};
 use super::frame::Frame;
 use super::numerics::{Numerics, Scheme as SchemeChoice, Slip};
 use super::packing::{Packing, Uneven};
