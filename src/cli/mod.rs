@@ -1,4 +1,4 @@
-//! The command line: one file per subcommand.
+//! The command line: one file per subcommand, and `commands.rs`, which names them all.
 //!
 //! Exit codes: 0 all well; 1 some case failed; 2 bad input or usage, nothing written;
 //! 3 interrupted, to be gone on with; 70 internal error. Under an MPI launcher rank 0 alone
@@ -8,6 +8,7 @@ mod accuracy;
 mod answer;
 mod check;
 mod closed;
+mod commands;
 mod compare;
 mod completions;
 mod cost;
@@ -54,13 +55,13 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 
 use clap::error::ErrorKind;
-use clap::{Args, ColorChoice, CommandFactory, FromArgMatches, Parser, Subcommand};
-
+use clap::{Args, ColorChoice, CommandFactory, FromArgMatches, Parser};
 use serde_json::json;
 
+use self::commands::Subcommands;
 use self::failure::BadInput;
 use self::output::{Format, Output};
-use crate::execute::{Launcher, SphRunner, apart, outlive_long_files, widest_simd};
+use crate::execute::{Launcher, outlive_long_files};
 
 const SUCCESS: u8 = 0;
 /// Some case failed; the others' results are complete.
@@ -95,60 +96,6 @@ struct Global {
     /// Print more; for example every case rather than the first few.
     #[arg(short, long, global = true, display_order = 902)]
     verbose: bool,
-}
-
-#[derive(Debug, Subcommand)]
-enum Subcommands {
-    Sweep(sweep::SweepArgs),
-    Run(run::RunArgs),
-    Film(film::FilmArgs),
-    Check(check::CheckArgs),
-    Init(init::InitArgs),
-    Explain(explain::ExplainArgs),
-    Status(status::StatusArgs),
-    Slurm(slurm::SlurmArgs),
-    Verify(verify::VerifyArgs),
-    Show(show::ShowArgs),
-    Report(report::ReportArgs),
-    Find(find::FindArgs),
-    Compare(compare::CompareArgs),
-    Reproduce(reproduce::ReproduceArgs),
-    Accuracy(accuracy::AccuracyArgs),
-    Stress(stress::StressArgs),
-    /// Does a piece of a sweep's work, read from standard input.
-    #[command(name = apart::SUBCOMMAND, hide = true)]
-    Apart,
-    Completions(completions::CompletionsArgs),
-    Man(completions::ManArgs),
-}
-
-/// Whether the environment lowers the instruction set of a command that computes to one that there is.
-fn simd_limit(command: &Subcommands) -> Result<(), String> {
-    let computes = match command {
-        Subcommands::Sweep(args) => !args.dry_run,
-        Subcommands::Verify(args) => args.rerun > 0,
-        Subcommands::Run(_)
-        | Subcommands::Film(_)
-        | Subcommands::Reproduce(_)
-        | Subcommands::Accuracy(_)
-        | Subcommands::Stress(_)
-        | Subcommands::Apart => true,
-        _ => false,
-    };
-    if computes { widest_simd().map(|_| ()) } else { Ok(()) }
-}
-
-/// Refuses what does not join the other ranks where a launcher was given several commands: one that is a sweep would
-/// wait for it without end.
-fn joins(command: &Subcommands, launcher: Launcher) -> Result<(), String> {
-    // A child of a sweep's has its work from there.
-    let joins = matches!(command, Subcommands::Apart)
-        || matches!(command, Subcommands::Sweep(args) if !args.dry_run);
-    if joins || !launcher.several {
-        return Ok(());
-    }
-    Err("of several commands under one launcher each must be a `seawall sweep` that runs"
-        .to_owned())
 }
 
 /// Runs the command line and returns the process's exit code.
@@ -209,7 +156,7 @@ fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) 
         }
     };
     let output = Output::new(&cli.global, launcher);
-    if let Err(reason) = simd_limit(&cli.command).and(joins(&cli.command, launcher)) {
+    if let Err(reason) = cli.command.demand(launcher) {
         // A launcher may have given it to some ranks alone: each tells for itself.
         if launcher.rank > 0 {
             eprintln!("error: rank {}: {reason}", launcher.rank);
@@ -217,32 +164,7 @@ fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) 
         }
         return failure::exit_code(Err(BadInput(reason).into()), launcher, output.is_json());
     }
-    let result = match cli.command {
-        Subcommands::Sweep(args) => sweep::main(&args, &output, launcher),
-        _ if launcher.rank > 0 => Ok(SUCCESS),
-        Subcommands::Run(args) => run::main(&args, &output),
-        Subcommands::Film(args) => film::main(&args, &output),
-        Subcommands::Check(args) => check::main(&args, &output),
-        Subcommands::Init(args) => init::main(&args, &output),
-        Subcommands::Explain(args) => explain::main(&args, &output),
-        Subcommands::Status(args) => status::main(&args, &output),
-        Subcommands::Slurm(args) => slurm::main(&args, &output),
-        Subcommands::Verify(args) => verify::main(&args, &output),
-        Subcommands::Show(args) => show::main(&args, &output),
-        Subcommands::Report(args) => report::main(&args, &output),
-        Subcommands::Find(args) => find::main(&args, &output),
-        Subcommands::Compare(args) => compare::main(&args, &output),
-        Subcommands::Reproduce(args) => reproduce::main(&args, &output),
-        Subcommands::Accuracy(args) => accuracy::main(&args, &output),
-        Subcommands::Stress(args) => stress::main(&args, &output),
-        Subcommands::Apart => {
-            let runner = |resources, keep| SphRunner { resources, film: None, keep };
-            apart::serve(std::io::stdin().lock(), std::io::stdout().lock(), runner)
-                .map(|()| SUCCESS)
-        }
-        Subcommands::Completions(args) => completions::completions(&args, &Cli::command(), &output),
-        Subcommands::Man(args) => completions::man(&args, Cli::command(), &output),
-    };
+    let result = cli.command.run(&output, launcher);
     failure::exit_code(result, launcher, output.is_json())
 }
 

@@ -6,6 +6,16 @@ fn the_command_line_is_consistent() {
 }
 
 #[test]
+fn the_readme_names_each_command() {
+    let readme = include_str!("../../README.md");
+    let command = Cli::command();
+    for one in command.get_subcommands().filter(|one| !one.is_hide_set()) {
+        let name = format!("`seawall {}", one.get_name());
+        assert!(readme.contains(&name), "README.md does not name {name}`");
+    }
+}
+
+#[test]
 fn a_bad_number_is_refused_in_plain_words() {
     let mut refused = 0;
     for command in Cli::command().get_subcommands() {
