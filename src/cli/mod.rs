@@ -14,6 +14,7 @@ mod completions;
 mod cost;
 mod execute;
 mod executor;
+mod expected;
 mod explain;
 mod failure;
 mod film;
