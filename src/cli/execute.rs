@@ -52,17 +52,67 @@ pub(super) fn execute(
     interrupt: &Interrupt,
     output: &Output,
 ) -> Result<Done, SweepError> {
-    let study = &job.study;
     let anew = job.mode == OpenMode::Fresh || !job.out.join("journal.jsonl").exists();
     if anew {
         // Before anything is written or moved aside.
-        if job.shares_threads {
-            crew.share_threads(study.run_count());
-        }
-        demand_memory(study.runs(), crew)?;
+        share_threads(job, job.study.run_count(), crew);
+        demand_memory(job.study.runs(), crew)?;
     }
+    let (mut directory, opened) = open(job, crew, output)?;
+    let missing = directory.runs().iter().filter(|record| record.is_none()).count();
+    let tallies = tallies(&directory, job.study.cases.len());
+    tell_opened(&opened, job, tallies, output);
+    // One who died before it had a manifest has done nothing.
+    let began = matches!(opened, Opened::Resumed(done) if missing == 0 || done > 0);
+    let damage = Manifest::damage(&job.out).filter(|_| began);
+    if let Some(what) = damage {
+        let rest =
+            if Manifest::read(&job.out).is_none() { ", without earlier sessions" } else { "" };
+        output.note(format_args!("manifest.json {what}: made again{rest}"));
+    }
+    if missing == 0 {
+        return all_there(job, directory, damage.is_some());
+    }
+    share_threads(job, missing, crew);
+    if !anew {
+        let missing = job.study.runs().zip(directory.runs()).filter(|(_, run)| run.is_none());
+        demand_memory(missing.map(|(case, _)| case), crew)?;
+    }
+    let plan = plan_of_missing(job, &directory, output);
+    let start = Instant::now();
+    let mut manifest = begin_session(job, crew, &directory, output)?;
+    tell_start(crew, &directory, tallies, output);
+    let ranks = crew.ranks().to_vec();
+    let mut ended = None;
+    crew.work(directory.simd(), &job.out, &mut |link| {
+        let progress = Progress::new(output.progress_style(), tallies);
+        let mut session = Session {
+            study: &job.study,
+            plan: &plan,
+            directory: &mut directory,
+            ranks: &ranks,
+            interrupt,
+            progress,
+        };
+        ended = Some(coordinate(link, &mut session)?);
+        Ok(())
+    })?;
+    let worked = ended.unwrap_or_default();
+    let (ending, savings) = (worked.ending, worked.savings);
+    if ending == Ending::Finished {
+        directory.clear_checkpoints()?;
+    }
+    let wall_time_s = start.elapsed().as_secs_f64();
+    end_session(&mut manifest, worked, wall_time_s);
+    manifest.write(&job.out)?;
+    let wall_time_s = Some(wall_time_s);
+    Ok(Done { directory, ending, savings, wall_time_s, film_time_s: 0.0 })
+}
+
+/// Opens the output directory, and tells what is found there.
+fn open(job: &Job, crew: &dyn Crew, output: &Output) -> Result<(Directory, Opened), SweepError> {
     let (mut directory, opened) =
-        Directory::open(&job.out, study, job.mode, job.simd, crew.widest_simd())?;
+        Directory::open(&job.out, &job.study, job.mode, job.simd, crew.widest_simd())?;
     for finding in directory.findings() {
         output.note(finding);
     }
@@ -76,37 +126,26 @@ pub(super) fn execute(
     if job.retry_failed {
         directory.retry_failed();
     }
-    let missing = directory.runs().iter().filter(|record| record.is_none()).count();
-    let tallies = tallies(&directory, study.cases.len());
-    tell_opened(&opened, job, tallies, output);
-    // One who died before it had a manifest has done nothing.
-    let began = matches!(opened, Opened::Resumed(done) if missing == 0 || done > 0);
-    let damage = Manifest::damage(&job.out).filter(|_| began);
-    if let Some(what) = damage {
-        let rest =
-            if Manifest::read(&job.out).is_none() { ", without earlier sessions" } else { "" };
-        output.note(format_args!("manifest.json {what}: made again{rest}"));
+    Ok((directory, opened))
+}
+
+/// Makes the tables of a study of which nothing is missing. They follow the file, which may ask for other error bars than
+/// before. The manifest has to tell the same file, or `verify` and `report` would make other tables.
+fn all_there(job: &Job, mut directory: Directory, damaged: bool) -> Result<Done, SweepError> {
+    let manifest = Manifest::new(&job.out, &job.study, &job.overrides, directory.simd());
+    if damaged {
+        manifest.write(&job.out)?
+    } else {
+        manifest.asked_again(&job.out)?
     }
-    if missing == 0 {
-        // Tables follow the file, which may ask for other error bars than before. The manifest has to tell the same
-        // file, or `verify` and `report` would make other tables.
-        let manifest = Manifest::new(&job.out, study, &job.overrides, directory.simd());
-        match damage {
-            Some(_) => manifest.write(&job.out)?,
-            None => manifest.asked_again(&job.out)?,
-        }
-        directory.write_tables(study)?;
-        directory.clear_checkpoints()?;
-        let (savings, ending) = (Savings::default(), Ending::Finished);
-        return Ok(Done { directory, ending, savings, wall_time_s: None, film_time_s: 0.0 });
-    }
-    if job.shares_threads {
-        crew.share_threads(missing);
-    }
-    if !anew {
-        let missing = study.runs().zip(directory.runs()).filter(|(_, record)| record.is_none());
-        demand_memory(missing.map(|(case, _)| case), crew)?;
-    }
+    directory.write_tables(&job.study)?;
+    directory.clear_checkpoints()?;
+    let (savings, ending) = (Savings::default(), Ending::Finished);
+    Ok(Done { directory, ending, savings, wall_time_s: None, film_time_s: 0.0 })
+}
+
+/// What is missing, and which stretches of it are shared.
+fn plan_of_missing(job: &Job, directory: &Directory, output: &Output) -> Plan {
     let kept = directory.kept();
     if !kept.is_empty() {
         let cases = counted(kept.len(), "checkpoint");
@@ -118,10 +157,17 @@ pub(super) fn execute(
         let alone = !kept.is_empty() && kept.contains(&CaseId::of(config));
         if alone { Cost { trunk_share: 0.0, ..cost } } else { cost }
     };
-    let wanted = |index: usize| directory.runs()[index].is_none();
-    let plan = Plan::new(study, job.branching, cost_left, wanted);
-    let start = Instant::now();
-    let mut manifest = Manifest::new(&job.out, study, &job.overrides, directory.simd());
+    Plan::new(&job.study, job.branching, cost_left, |index| directory.runs()[index].is_none())
+}
+
+/// The manifest with a session that begins now.
+fn begin_session(
+    job: &Job,
+    crew: &dyn Crew,
+    directory: &Directory,
+    output: &Output,
+) -> Result<Manifest, SweepError> {
+    let mut manifest = Manifest::new(&job.out, &job.study, &job.overrides, directory.simd());
     if let Some(other) = manifest.other_program() {
         output.note(format_args!(
             "note: another build of the same physics version has worked here, {other}"
@@ -135,38 +181,25 @@ pub(super) fn execute(
         ..SessionInfo::default()
     });
     manifest.write(&job.out)?;
-    tell_start(crew, &directory, tallies, output);
-    let ranks = crew.ranks().to_vec();
-    let simd = directory.simd();
-    let mut ended = None;
-    crew.work(simd, &job.out, &mut |link| {
-        let progress = Progress::new(output.progress_style(), tallies);
-        let mut session = Session {
-            study,
-            plan: &plan,
-            directory: &mut directory,
-            ranks: &ranks,
-            interrupt,
-            progress,
-        };
-        ended = Some(coordinate(link, &mut session)?);
-        Ok(())
-    })?;
-    let Worked { ending, savings, load } = ended.unwrap_or_default();
-    if ending == Ending::Finished {
-        directory.clear_checkpoints()?;
+    Ok(manifest)
+}
+
+/// What the manifest tells of its last session, once that has ended.
+fn end_session(manifest: &mut Manifest, worked: Worked, wall_time_s: f64) {
+    let Some(session) = manifest.sessions.last_mut() else { return };
+    session.ended = Some(timestamp());
+    session.wall_time_s = Some(wall_time_s);
+    session.savings = Some(worked.savings);
+    session.load = Some(worked.load).filter(|load| !load.ranks.is_empty());
+    let word = if worked.ending == Ending::Finished { "finished" } else { "interrupted" };
+    session.ending = Some(word.to_owned());
+}
+
+/// Threads that so many runs would leave idle work within them, where the job wants that.
+fn share_threads(job: &Job, runs: usize, crew: &mut dyn Crew) {
+    if job.shares_threads {
+        crew.share_threads(runs);
     }
-    let wall_time_s = Some(start.elapsed().as_secs_f64());
-    if let Some(session) = manifest.sessions.last_mut() {
-        session.ended = Some(timestamp());
-        session.wall_time_s = wall_time_s;
-        session.savings = Some(savings);
-        session.load = Some(load).filter(|load| !load.ranks.is_empty());
-        let word = if ending == Ending::Finished { "finished" } else { "interrupted" };
-        session.ending = Some(word.to_owned());
-    }
-    manifest.write(&job.out)?;
-    Ok(Done { directory, ending, savings, wall_time_s, film_time_s: 0.0 })
 }
 
 /// Makes sure that as many cases as run at once on this machine fit into it, and those of a rank into the address
