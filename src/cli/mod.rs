@@ -21,6 +21,7 @@ mod film;
 mod films;
 mod find;
 mod glossary;
+mod goal;
 mod highlights;
 mod init;
 mod input;

@@ -1,25 +1,24 @@
 //! `seawall sweep`: runs all cases of a sweep file.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use clap::Args;
-use serde_json::json;
+use serde_json::{Value, json};
 
 use super::closed::Asked;
 use super::execute::execute;
 use super::executor::{Executor, choose};
 use super::failure::exit_code;
+use super::goal::Goal;
 use super::input::{
     Expect, Setting, SimdChoice, default_out, named_out, out_of, study, sweep_file,
 };
-use super::job::Job;
-use super::options::EndingArgs;
-use super::options::KeepArgs;
+use super::job::{Done, Job};
+use super::options::{EndingArgs, KeepArgs};
 use super::output::{Output, json_paths};
 use super::overview::told;
-use super::{INTERRUPTED, SUCCESS, check, films, max_error, options, refine, warnings};
-use crate::accuracy::Refinement;
+use super::{INTERRUPTED, SUCCESS, check, films, max_error, options, warnings};
 use crate::execute::{Crew, Ending, Interrupt, Keeping, Launcher, Setup, SphRunner, mpi, threads};
 use crate::keys::named;
 use crate::math::words::counted;
@@ -150,22 +149,14 @@ fn lead(
         }
     }
     let study = study(&args.file, &args.settings, Expect::Grid)?;
-    let refinement = Refinement::of(&file);
-    let aim = max_error::aim(args.max_error, &study)?;
+    let goal = Goal::of(args.max_error, &file, &study)?;
     let out = args.out.clone().unwrap_or_else(|| default_out(&study));
-    // A large study is held once.
-    let first = match (&aim, &refinement) {
-        (Some(aim), _) => max_error::begun(aim, &study, &out, args.fresh, output),
-        // What an earlier run has added is there from the start.
-        (_, Some(_)) if !args.fresh => refine::study_in(&out, &file).unwrap_or(study),
-        _ => study,
-    };
-    // An id goes with its numerics where these are chosen; the places of cases stay.
+    let first = goal.first((&file, study), (&out, args.fresh), output);
     let places = films::check(&args.film, &first)?;
-    let places = if aim.is_some() { places } else { Default::default() };
+    let places = if goal.chooses_numerics() { places } else { Default::default() };
     warnings::tell(&args.file, &first, output);
     warnings::tell_threads(args.threads, output);
-    let mut job = Job {
+    let job = Job {
         out,
         study: first,
         mode: if args.fresh { OpenMode::Fresh } else { OpenMode::Resume },
@@ -176,32 +167,9 @@ fn lead(
         overrides,
     };
     args.ending.begin(&job.out)?;
-    let mut done = execute(&job, crew, interrupt, output)?;
-    while done.ending == Ending::Finished {
-        let next = match (&aim, &refinement) {
-            (Some(aim), _) => max_error::refine(aim, &job.study, &done, output),
-            (_, Some(points)) => refine::next(points, &args.file, &job.study, &done, output)?,
-            (None, None) => None,
-        };
-        let Some(next) = next else { break };
-        let spent_s = done.wall_time_s;
-        drop(done); // its lock
-        job = Job { study: next, mode: OpenMode::Resume, retry_failed: false, ..job };
-        done = execute(&job, crew, interrupt, output)?;
-        done.wall_time_s = spent_s.into_iter().chain(done.wall_time_s).reduce(|sum, s| sum + s);
-    }
+    let (job, mut done) = in_rounds(&args.file, &goal, job, crew, interrupt, output)?;
     if done.ending == Ending::Interrupted {
-        let (finished, cases) = (done.records().count(), counted(job.study.cases.len(), "case"));
-        output.note(format_args!(
-            "interrupted: {finished} of {cases} done; the same command goes on"
-        ));
-        if crew.executor() == "mpi" {
-            output.note(format_args!(
-                "the journal is whole. A launcher that was told to end may return 1; seawall's own code is \
-                 {INTERRUPTED}, as `seawall status {} --exit-code` tells",
-                named(done.directory.path())
-            ));
-        }
+        tell_interrupted(&job, &done, crew, output);
         return Ok(done.exit_code());
     }
     Derived::owe(done.directory.path())?;
@@ -210,24 +178,7 @@ fn lead(
     done.film_time_s = film_time_s;
     done.directory.demand_in_place()?;
     write_all_histories(done.directory.path())?;
-    let report = done.directory.path().join(REPORT);
-    let mut text = told(&job, &done, &report, output.verbose);
-    let mut value = match output.is_json() {
-        true => done.json(&job, Some(&report))?,
-        false => json!({}),
-    };
-    value["films"] = json!(json_paths(&films::pages(done.directory.path())));
-    if let Some(aim) = &aim {
-        // The page reads what this writes.
-        let (told, accuracy) = max_error::report(aim, &job.study, &done)?;
-        text.push_str(&told);
-        value["accuracy"] = accuracy;
-    }
-    if let Some(refinement) = &refinement {
-        let (told, refined) = refine::report(refinement, &job.study, &done);
-        text.push_str(&told);
-        value["refined"] = refined;
-    }
+    let (text, value) = told_at_end(&goal, &job, &done, output)?;
     let code = done.exit_code().max(filming);
     let closing = asked.filter(|_| filming == SUCCESS);
     let closing = closing.and_then(|asked| asked.closing(&job, &mut done));
@@ -247,4 +198,52 @@ fn lead(
     }
     output.result(&text, &value)?;
     Ok(code)
+}
+
+/// Runs a job, and what its goal asks for after it, round by round.
+fn in_rounds(
+    file: &Path,
+    goal: &Goal,
+    mut job: Job,
+    crew: &mut dyn Crew,
+    interrupt: &Interrupt,
+    output: &Output,
+) -> anyhow::Result<(Job, Done)> {
+    let mut done = execute(&job, crew, interrupt, output)?;
+    while done.ending == Ending::Finished {
+        let Some(next) = goal.next(file, &job.study, &done, output)? else { break };
+        let spent_s = done.wall_time_s;
+        drop(done); // its lock
+        job = Job { study: next, mode: OpenMode::Resume, retry_failed: false, ..job };
+        done = execute(&job, crew, interrupt, output)?;
+        done.wall_time_s = spent_s.into_iter().chain(done.wall_time_s).reduce(|sum, s| sum + s);
+    }
+    Ok((job, done))
+}
+
+fn tell_interrupted(job: &Job, done: &Done, crew: &dyn Crew, output: &Output) {
+    let (finished, cases) = (done.records().count(), counted(job.study.cases.len(), "case"));
+    output.note(format_args!("interrupted: {finished} of {cases} done; the same command goes on"));
+    if crew.executor() == "mpi" {
+        output.note(format_args!(
+            "the journal is whole. A launcher that was told to end may return 1; seawall's own code is \
+             {INTERRUPTED}, as `seawall status {} --exit-code` tells",
+            named(done.directory.path())
+        ));
+    }
+}
+
+/// What a finished sweep tells people and programs.
+fn told_at_end(
+    goal: &Goal,
+    job: &Job,
+    done: &Done,
+    output: &Output,
+) -> anyhow::Result<(String, Value)> {
+    let report = done.directory.path().join(REPORT);
+    let mut text = told(job, done, &report, output.verbose);
+    let mut value = if output.is_json() { done.json(job, Some(&report))? } else { json!({}) };
+    value["films"] = json!(json_paths(&films::pages(done.directory.path())));
+    goal.report(&job.study, done, (&mut text, &mut value))?;
+    Ok((text, value))
 }
