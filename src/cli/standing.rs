@@ -1,0 +1,225 @@
+//! How far a study is, from the files of its directory.
+
+use std::collections::{BTreeMap, HashMap};
+use std::path::Path;
+
+use serde_json::{Value, json};
+
+use super::failed_cases::FailedCases;
+use super::failure::BadInput;
+use super::input::demand_output_of_study;
+use super::output::duration;
+use super::stored;
+use super::watch::View;
+use crate::math::words::counted;
+use crate::results::{
+    Closing, Derived, Fared, Header, Load, Lock, Manifest, RankInfo, read_journal_header,
+    read_journal_in_blocks,
+};
+
+/// What the journal tells.
+struct Known {
+    header: Option<Header>,
+    /// How many cases there are, where points were added.
+    added: Option<usize>,
+    /// The last line of each run, by its place.
+    latest: BTreeMap<usize, Fared>,
+}
+
+impl Known {
+    /// Its first line alone.
+    fn of_header(directory: &Path) -> anyhow::Result<Known> {
+        let header = read_journal_header(directory)?;
+        Ok(Known { header, added: None, latest: BTreeMap::new() })
+    }
+
+    /// All of it.
+    fn of_journal(directory: &Path) -> anyhow::Result<Known> {
+        let (mut added, mut places) = (None, None);
+        if let Ok(Some(study)) = stored::in_rounds(directory) {
+            // Points that were added have moved the others' places; finer numerics have ids of their own.
+            added = Some(study.cases.len());
+            let index = study.runs().map(|case| (case.id, case.index));
+            places = Some(index.collect::<HashMap<_, _>>());
+        }
+        let place = |fared: Fared| match &places {
+            Some(places) => Some((*places.get(&fared.id)?, fared)),
+            None => Some((fared.index, fared)),
+        };
+        let mut latest = BTreeMap::new();
+        let content = read_journal_in_blocks(directory, |block: Vec<Fared>| {
+            latest.extend(block.into_iter().map(Fared::brief).filter_map(place));
+        })?;
+        Ok(Known { header: content.header, added, latest })
+    }
+}
+
+/// What is done, what failed and what is left.
+pub(super) struct Standing {
+    header: Header,
+    /// Those of the file, and points that were added.
+    cases: usize,
+    done: usize,
+    pub(super) failed: usize,
+    companions: usize,
+    companions_done: usize,
+    /// Films and page are still to be made.
+    owed: bool,
+    pub(super) running: bool,
+    to_go_s: Option<f64>,
+    failures: Vec<FailedCases>,
+    /// That of the last session's ranks.
+    load: Option<Load>,
+    ranks: usize,
+    /// Cases that they run at once.
+    places: usize,
+    /// Seconds that finished cases have taken.
+    spent_s: f64,
+}
+
+impl Standing {
+    /// That of a directory.
+    pub(super) fn of(directory: &Path) -> anyhow::Result<Standing> {
+        demand_output_of_study(directory, "journal.jsonl")?;
+        let manifest = Manifest::read(directory);
+        let companions = manifest.as_ref().map_or(0, |manifest| manifest.companions);
+        // Of a closed study in which nothing failed nothing more is to be told.
+        let closed = Closing::read(directory).is_some_and(|closing| closing.failed == 0);
+        let known =
+            if closed { Known::of_header(directory)? } else { Known::of_journal(directory)? };
+        let Known { header, added, mut latest } = known;
+        // Where the journal's first line is lost, the manifest tells the same.
+        let lost = manifest.as_ref().filter(|_| !latest.is_empty());
+        let header = header.or_else(|| {
+            let Manifest { name, sweep, cases, .. } = lost?;
+            Some(Header::new(name, sweep, *cases, lost?.simd_path()?))
+        });
+        let Some(header) = header else {
+            let reason =
+                "the sweep was stopped before it began, or the journal's first line is lost";
+            return Err(BadInput::of(directory, reason).into());
+        };
+        let cases = added.unwrap_or(header.cases);
+        // Lines beyond the cases are resolution companions.
+        let companions_done = latest.split_off(&cases).len().min(companions);
+        let records: Vec<_> = latest.into_values().collect();
+        let failed: Vec<_> = records.iter().filter(|record| record.failure.is_some()).collect();
+        let (done, companions_done) =
+            if closed { (cases, companions) } else { (records.len(), companions_done) };
+        let session = manifest.as_ref().and_then(|manifest| manifest.sessions.last());
+        let ranks = session.map_or(&[][..], |session| &session.ranks);
+        let places = ranks.iter().map(RankInfo::places).sum();
+        let running = Lock::is_held(directory);
+        let load = Load::read(directory).filter(|_| running);
+        let spent_s = records.iter().map(|record| record.wall_time_s).sum();
+        let of_session = |_| if closed { Some(0.0) } else { time_to_go(&records, cases, places) };
+        Ok(Standing {
+            cases,
+            done,
+            failed: failed.len(),
+            companions,
+            companions_done,
+            owed: Derived::is_owed(directory),
+            running,
+            to_go_s: session.and_then(of_session),
+            failures: FailedCases::of(&failed),
+            load: load.or_else(|| session.and_then(|session| session.load.clone())),
+            ranks: ranks.len(),
+            places,
+            spent_s,
+            header,
+        })
+    }
+
+    fn left(&self) -> usize {
+        self.cases.saturating_sub(self.done)
+    }
+
+    fn companions_left(&self) -> usize {
+        self.companions - self.companions_done
+    }
+
+    /// Whether nothing is left, neither companions nor films and page.
+    pub(super) fn is_whole(&self) -> bool {
+        self.left() + self.companions_left() == 0 && !self.owed
+    }
+
+    /// For people.
+    pub(super) fn told(&self) -> String {
+        let state = match self.left() + self.companions_left() {
+            _ if self.running => "running",
+            0 if self.owed => "stopped after its cases; the same command makes films and page",
+            0 => "finished",
+            _ => "stopped; the same command goes on",
+        };
+        let mut text = format!(
+            "{}: {state}\n{} of {} done, {} failed, {} left",
+            self.header.name,
+            self.done,
+            counted(self.cases, "case"),
+            self.failed,
+            self.left()
+        );
+        if let Some(seconds) = self.to_go_s.filter(|_| self.left() > 0) {
+            text.push_str(&format!(", about {} to go", duration(seconds)));
+        }
+        if self.companions > 0 {
+            let companions = counted(self.companions, "companion");
+            text.push_str(&format!(
+                "\n{} of {companions} for error bars done",
+                self.companions_done
+            ));
+        }
+        text.push('\n');
+        text.extend(self.failures.iter().map(FailedCases::told));
+        let load = self.load.as_ref().and_then(Load::told);
+        text.extend(load.map(|told| format!("{told}\n")));
+        text
+    }
+
+    /// For programs.
+    pub(super) fn json(&self) -> Value {
+        let rank =
+            |load: &Load, rank: usize| json!({ "busy_share": load.share(rank), "rank": rank });
+        let load = self.load.as_ref().map(|load| {
+            json!({
+                "busy_share": load.whole_share(),
+                "ranks": (0..load.ranks.len()).map(|number| rank(load, number)).collect::<Vec<_>>(),
+            })
+        });
+        json!({
+            "name": self.header.name,
+            "cases": self.cases,
+            "done": self.done,
+            "ok": self.done - self.failed,
+            "failed": self.failed,
+            "left": self.left(),
+            "companions": self.companions,
+            "companions_left": self.companions_left(),
+            "films_and_page_left": self.owed,
+            "running": self.running,
+            "time_to_go_s": self.to_go_s,
+            "simd": self.header.simd,
+            "failures": self.failures,
+            "load": load,
+        })
+    }
+
+    /// For one who looks again and again.
+    pub(super) fn view(&self) -> View {
+        View {
+            busy_s: self.load.as_ref().map(Load::busy_s),
+            done: self.done + self.companions_done,
+            spent_s: self.spent_s,
+            ranks: self.ranks,
+            places: self.places,
+        }
+    }
+}
+
+/// The mean time of a finished case, times those left, over the places of the last session.
+fn time_to_go(records: &[Fared], cases: usize, places: usize) -> Option<f64> {
+    let spent: f64 = records.iter().map(|record| record.wall_time_s).sum();
+    let mean = spent / (!records.is_empty()).then_some(records.len())? as f64;
+    Some(mean * cases.saturating_sub(records.len()) as f64 / places.max(1) as f64)
+}
