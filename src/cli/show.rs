@@ -187,7 +187,7 @@ fn told(row: &Row, known: &report::Row, keys: &[String], files: &[PathBuf]) -> S
         text.push_str(title);
         for column in columns {
             // Of regular waves none is the first impact, and a record has no height that nobody asked for.
-            let idle = (known.regular && column.is_of_first_impact())
+            let idle = (known.regular && column.of_first_impact)
                 || (known.unasked && column == &WAVE_HEIGHT_RATIO);
             if let Some(value) = row.value(column).filter(|_| !idle) {
                 text.push_str(&line(&column.heading_without_unit(), &value));

@@ -72,15 +72,10 @@ impl Column {
         self.has_time().then(|| format!("{}_time_s", self.name))
     }
 
-    /// Whether it tells of the first impact, of which regular waves have none that counts.
-    pub fn is_of_first_impact(&self) -> bool {
-        of_first_impact(self.name)
-    }
-
     /// Whether it has a number in a case that means something there.
     pub fn is_told(&self, case: &Case<'_>) -> bool {
         let regular = case.seawall().is_some_and(|scene| scene.wave_train.is_some());
-        self.value(case).is_some() && !(regular && self.is_of_first_impact())
+        self.value(case).is_some() && !(regular && self.of_first_impact)
     }
 
     /// Whether it holds words.
@@ -94,12 +89,10 @@ impl Column {
     }
 }
 
-/// Columns of the first impact that are not called so: the bars of two, and the time in which the force rises.
-const FIRST: [&str; 3] = ["rise_time_s", "force_error", "runup_error"];
-
-/// Whether a column of this name tells of the first impact.
+/// Whether a column of this name, which may be that of a maximum's time, tells of the first impact.
 pub fn of_first_impact(name: &str) -> bool {
-    name.starts_with("first_") || FIRST.contains(&name)
+    let of_time = || named(name.strip_suffix("_time_s")?);
+    named(name).or_else(of_time).is_some_and(|column| column.of_first_impact)
 }
 
 pub(super) const fn text(
@@ -142,7 +135,22 @@ pub(super) const fn maximum(
 
 #[cfg(test)]
 mod tests {
+    use super::super::summary;
     use super::*;
+
+    /// The story: a list beside the declarations named those of the first impact whose names do not say it.
+    #[test]
+    fn what_is_called_first_is_of_the_first_impact() {
+        let of_first: Vec<_> =
+            summary::names().filter(|name| super::of_first_impact(name)).collect();
+        for name in summary::names().filter(|name| name.starts_with("first_")) {
+            assert!(of_first.contains(&name), "{name}");
+        }
+        for name in ["rise_time_s", "force_error", "runup_error", "first_force_max_time_s"] {
+            assert!(of_first.contains(&name.to_owned()), "{name}");
+        }
+        assert!(!of_first.contains(&"force_max_time_s".to_owned()) && of_first.len() < 20);
+    }
 
     /// The story: where no water went over, the volume was told as -2.558e-15 m².
     #[test]

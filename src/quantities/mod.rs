@@ -56,6 +56,8 @@ pub struct Quantity<R> {
     pub bar: Option<&'static str>,
     /// The column of the flag which says that the value is a lower bound.
     pub bound: Option<&'static str>,
+    /// Whether it tells of the first impact, of which regular waves have none that counts.
+    pub of_first_impact: bool,
     /// How it is read.
     pub read: R,
 }
@@ -70,6 +72,7 @@ impl<R: Copy> Quantity<R> {
             digits: Digits::All,
             bar: None,
             bound: None,
+            of_first_impact: false,
             read,
         }
     }
@@ -96,6 +99,11 @@ impl<R: Copy> Quantity<R> {
 
     const fn bound(mut self, flag: &'static str) -> Self {
         self.bound = Some(flag);
+        self
+    }
+
+    const fn of_first_impact(mut self) -> Self {
+        self.of_first_impact = true;
         self
     }
 

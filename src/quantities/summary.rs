@@ -48,22 +48,22 @@ quantities! { Read;
     }).bar("displacement_error").bound("displacement_truncated");
     /// largest force F* (running mean) of the first impact
     FIRST_FORCE_MAX = maximum("first_force_max", "first F*", Force, |c| c.outcome?.first_force_max)
-        .bar("force_error");
+        .bar("force_error").of_first_impact();
     /// largest runup R* of the first impact
     FIRST_RUNUP_MAX = maximum("first_runup_max", "first R*", Runup, |c| c.outcome?.first_runup_max)
-        .bar("runup_error");
+        .bar("runup_error").of_first_impact();
     /// largest displacement X* of the first impact
     FIRST_DISPLACEMENT_MAX = maximum("first_displacement_max", "first X*", Displacement, |c| {
         c.outcome?.first_displacement_max
-    });
+    }).of_first_impact();
     /// first peak of F*: the largest so far when F* - 1 first falls 10 % below it
     FIRST_FORCE_PEAK = number("first_force_peak", "first peak, F*", Force, |c| {
         c.outcome?.first_force_peak
-    });
+    }).of_first_impact();
     /// first peak of R*: the largest so far when R* first falls 10 % below it
     FIRST_RUNUP_PEAK = number("first_runup_peak", "first peak, R*", Runup, |c| {
         c.outcome?.first_runup_peak
-    });
+    }).of_first_impact();
     /// largest F* of any single step, but for those in which the sound of a stop can be heard
     FORCE_MAX_RAW = number("force_max_raw", "F* max of any step", Force, |c| {
         Some(c.outcome?.force_max_raw)
@@ -102,9 +102,11 @@ quantities! { Read;
     PARTICLES_LOST = count("particles_lost", |c| Some(c.outcome?.particles_lost.into()));
     /// error bar of `first_force_max`, see [physics.md](physics.md#error-bars); empty with
     /// `error_bars = "none"`, and where the companions failed
-    FORCE_ERROR = number("force_error", "", Force, |c| c.bars.force).significant(3);
+    FORCE_ERROR = number("force_error", "", Force, |c| c.bars.force)
+        .significant(3).of_first_impact();
     /// error bar of `first_runup_max`
-    RUNUP_ERROR = number("runup_error", "", Runup, |c| c.bars.runup).significant(3);
+    RUNUP_ERROR = number("runup_error", "", Runup, |c| c.bars.runup)
+        .significant(3).of_first_impact();
     /// error bar of `displacement_max`
     DISPLACEMENT_ERROR = number("displacement_error", "", Displacement, |c| {
         c.bars.displacement
@@ -163,13 +165,14 @@ quantities! { Read;
     /// largest moment M* (running mean) of the first impact
     FIRST_MOMENT_MAX = maximum("first_moment_max", "first M*", Moment, |c| {
         c.outcome?.first_moment_max
-    });
+    }).of_first_impact();
     /// integral of F* - 1 over the first impact
     FIRST_IMPULSE = number("first_impulse", "first impulse", Impulse, |c| {
         c.outcome?.first_impulse
-    }).decimals(4);
+    }).decimals(4).of_first_impact();
     /// time in which F* - 1 rises from 10 to 90 % of its maximum of the first impact
-    RISE_TIME = number("rise_time_s", "rise time", Seconds, |c| c.outcome?.rise_time_s).decimals(4);
+    RISE_TIME = number("rise_time_s", "rise time", Seconds, |c| c.outcome?.rise_time_s)
+        .decimals(4).of_first_impact();
     /// largest force of the spring, k X of the largest displacement; empty where there is no spring
     SPRING_FORCE_MAX = maximum("spring_force_max", "spring F* max", Force, |c| {
         c.spring_force_max()
