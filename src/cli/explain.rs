@@ -7,7 +7,7 @@ use super::SUCCESS;
 use super::failure::BadInput;
 use super::glossary::{Entry, entries, joined};
 use super::output::{Output, wrapped};
-use super::things::{names, thing};
+use super::readme_words::{names, thing};
 use crate::keys::hint;
 use crate::quantities::{is_meant, meant_by};
 

@@ -7,7 +7,7 @@ use serde_json::json;
 
 use super::failure::{BadInput, not_writable};
 use super::output::{Output, json_path};
-use super::pick::the_case;
+use super::picked_case::the_case;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS, options, stored};
 use crate::execute::{Interrupt, available_cores};
 use crate::film::{Colour, Filming, PageFilm};

@@ -9,7 +9,7 @@ use super::film::{self, Set, Shot};
 use super::highlights::{self, Highlight, highlights};
 use super::job::Done;
 use super::output::{Output, duration};
-use super::pick;
+use super::picked_case;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
 use crate::execute::Interrupt;
 use crate::film::Colour;
@@ -33,7 +33,7 @@ pub(super) type Places = BTreeMap<String, usize>;
 
 fn named<'a>(study: &'a Study, word: &str) -> Result<&'a Case, BadInput> {
     let words: Vec<_> = word.split(',').map(str::to_owned).collect();
-    let case = pick::the_case(study, &words);
+    let case = picked_case::the_case(study, &words);
     let case = case.and_then(|case| film::demand_small(case).map(|()| case));
     case.map_err(|error| BadInput(format!("--film {word}: {error}")))
 }

@@ -87,7 +87,7 @@ pub(super) fn tell<'a>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cli::pick::tests::study;
+    use crate::cli::picked_case::tests::study;
     use crate::results::made_up;
     use crate::study::Case;
 

@@ -6,7 +6,7 @@ use std::sync::{Mutex, PoisonError};
 use clap::ValueEnum;
 
 use super::failure::{BadFile, BadInput};
-use super::pick::the_case;
+use super::picked_case::the_case;
 use crate::keys::{bytes_of, named};
 use crate::math::simd::SimdPath;
 use crate::math::words::in_words;

@@ -12,7 +12,7 @@ use serde_json::{Map, Value, json};
 use self::groups::groups;
 use super::failure::BadInput;
 use super::output::{Output, json_paths, with_bar, wrapped};
-use super::pick::{Choice, in_every_case, the_case, the_one};
+use super::picked_case::{Choice, in_every_case, the_case, the_one};
 use super::{SUCCESS, stored};
 use crate::keys;
 use crate::math::words::counted;

@@ -6,7 +6,7 @@ use std::time::Duration;
 use clap::Args;
 use serde_json::{Value, json};
 
-use super::closed::Asked;
+use super::closed_study::Asked;
 use super::execute::execute;
 use super::executor::{Executor, choose};
 use super::failure::exit_code;

@@ -7,8 +7,8 @@ mod beds;
 use beds::BEDS;
 
 use super::config::CaseConfig;
-use super::facts::{Facts, Limit};
 use super::kind::Scene;
+use super::limit_facts::{Facts, Limit};
 use super::numerics::Slip;
 use super::size;
 use crate::boundary::{BoundaryChoice, GhostGravity};

@@ -3,7 +3,7 @@
 use super::blows::Blows;
 use super::doubt_reasons::END_OF_RUN;
 use super::face_gaps::FaceGaps;
-use super::found::Found;
+use super::found_energy::Found;
 use super::health::LASTING_GAP;
 use super::outcome::{Maximum, Outcome};
 

@@ -3,12 +3,12 @@
 use super::doubt::Evidence;
 use super::energy::WaterEnergy;
 use super::measures::MEAN_SPAN;
+use super::named_readings::{NamedReading, Readings};
 use super::outcome::{CaseResult, EnergyBudget, EnvelopeRow, Outcome, PhaseShare};
 use super::overtopping::Overtopping;
 use super::readings;
 use super::run::Run;
 use super::settling::Prospect;
-use super::told::{NamedReading, Readings};
 use super::waves::Waves;
 use super::{Film, Monitor};
 use crate::body::{Motions, Place};

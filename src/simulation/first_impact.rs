@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::onrush::Onrush;
+use super::force_rise::Onrush;
 use super::outcome::Maximum;
 use super::peak::Peak;
 

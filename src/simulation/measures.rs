@@ -5,10 +5,10 @@ use serde::{Deserialize, Serialize};
 use super::blows::{Acoustics, Blows, Hit};
 use super::first_impact::{FirstImpact, Reading};
 use super::outcome::Maximum;
-use super::pressed::Pressed;
 use super::quiet_force::{Push, Quiet, QuietForce};
 use super::quiet_travel::{Mount, QuietTravel};
 use super::sound::Compression;
+use super::wall_pressures::Pressed;
 use super::waves::Waves;
 
 /// Span of the force's running mean over √(h/g).

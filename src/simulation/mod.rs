@@ -11,7 +11,8 @@ mod face_gaps;
 mod faces;
 mod failure;
 mod first_impact;
-mod found;
+mod force_rise;
+mod found_energy;
 mod gauge;
 mod health;
 mod keeping;
@@ -20,19 +21,18 @@ mod limits;
 mod logbook;
 mod looks;
 mod measures;
-mod onrush;
+mod named_readings;
 mod outcome;
 mod overtopping;
 mod peak;
 #[cfg(test)]
-mod planted;
-mod pressed;
+mod planted_faults;
 mod probes;
 mod quiet_force;
 mod quiet_travel;
 mod readings;
 mod relaxation;
-mod rested;
+mod rested_water;
 mod run;
 mod sampling;
 mod settling;
@@ -40,9 +40,9 @@ mod sound;
 mod sounding;
 mod state;
 mod surface;
-mod told;
 mod tongue;
 mod wall_load;
+mod wall_pressures;
 mod watch;
 mod waves;
 mod window;
@@ -54,12 +54,12 @@ pub use failure::{Failure, FailureKind, Stopped};
 pub use health::HealthMargins;
 pub use kept::Keeper;
 pub use limits::Limits;
+pub use named_readings::{NamedReading, ProbeColumn, ProbeTable};
 pub use outcome::{
     CaseResult, EnergyBudget, EnvelopeRow, HistoryRow, Maximum, Outcome, Overtopped, PhaseShare,
     TrunkResult,
 };
 pub use probes::probe_columns;
-pub use told::{NamedReading, ProbeColumn, ProbeTable};
 pub use waves::WaveRow;
 
 use crate::pairs::Fluid;

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::health::HealthMargins;
-use super::told::{NamedReading, ProbeTable};
+use super::named_readings::{NamedReading, ProbeTable};
 use super::waves::WaveRow;
 
 /// A maximum and the time at which it was reached.

@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::looks::Looks;
+use super::named_readings::{ProbeColumn, Readings};
 use super::outcome::Overtopped;
-use super::told::{ProbeColumn, Readings};
 use crate::boundary::Crest;
 use crate::pairs::Fluid;
 use crate::scene::{CREST_COLUMNS, Tank};

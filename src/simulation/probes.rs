@@ -1,8 +1,8 @@
 //! Gauges of a scene, read at the history's times.
 
+use super::named_readings::{ProbeColumn, ProbeTable};
 use super::overtopping;
 use super::sounding::Sounding;
-use super::told::{ProbeColumn, ProbeTable};
 use crate::body::Place;
 use crate::scene::{CaseConfig, Probe, ProbeKind, Side};
 

@@ -1,6 +1,6 @@
 //! What the probes of a finished run say, in a few numbers.
 
-use super::told::{ProbeTable, Readings};
+use super::named_readings::{ProbeTable, Readings};
 use crate::scene::{Probe, ProbeKind, Scene};
 use crate::scheme::SolverSummary;
 

@@ -4,7 +4,7 @@ use super::Monitor;
 use super::energy::WaterEnergy;
 use super::failure::Stopped;
 use super::logbook::Logbook;
-use super::rested::{self, Key};
+use super::rested_water::{self, Key};
 use super::run::Run;
 use crate::body::{BodyMotion, Place};
 use crate::math::simd::SimdPath;
@@ -23,7 +23,7 @@ impl Run {
             return Ok(());
         }
         let key = Key::of(self, path);
-        match rested::recall(&key) {
+        match rested_water::recall(&key) {
             Some((water, steps)) if monitor.over_limit(steps).is_none() => {
                 self.tank.water.restore(water);
                 self.clock.steps = steps;
@@ -32,7 +32,7 @@ impl Run {
                 self.come_to_rest(monitor)?;
                 // A case's memory is held to its limit, and not that of another.
                 if monitor.limits().memory_mib.is_none() {
-                    rested::keep(key, &self.tank.water.state(), self.clock.steps);
+                    rested_water::keep(key, &self.tank.water.state(), self.clock.steps);
                 }
             }
         }

@@ -1,7 +1,7 @@
 //! Known limits of beds that are not level, and of crests.
 
 use crate::boundary::BoundaryChoice;
-use crate::scene::facts::Limit;
+use crate::scene::limit_facts::Limit;
 use crate::scene::numerics::Slip;
 
 pub(super) const BEDS: &[Limit] = &[

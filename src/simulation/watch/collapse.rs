@@ -4,7 +4,7 @@ use super::cavity::Raster;
 use super::{Watch, remembers};
 use crate::pairs::Fluid;
 use crate::scene::Frame;
-use crate::simulation::told::Readings;
+use crate::simulation::named_readings::Readings;
 use crate::theory::dam_break::ritter_front;
 
 /// Air counts as closed in from this area on, over H². The tongue that comes down from the wall closes in 0.1 or more, and

@@ -2,7 +2,7 @@
 
 use super::{Watch, half_swings, remembers};
 use crate::pairs::Fluid;
-use crate::simulation::told::Readings;
+use crate::simulation::named_readings::Readings;
 use crate::theory::elliptic_drop::EllipticDrop;
 
 /// Follows the semi-axes beside those of the exact drop.

@@ -7,7 +7,7 @@ mod patch;
 mod standing_wave;
 mod vortices;
 
-use super::told::Readings;
+use super::named_readings::Readings;
 use crate::pairs::Fluid;
 use crate::scene::{CaseConfig, Scene, Tank};
 

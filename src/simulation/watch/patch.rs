@@ -2,7 +2,7 @@
 
 use super::{Watch, kinetic_energy, remembers};
 use crate::pairs::Fluid;
-use crate::simulation::told::Readings;
+use crate::simulation::named_readings::Readings;
 use crate::theory::rotating_patch::RotatingPatch;
 
 pub(super) struct Patch {

@@ -2,7 +2,7 @@
 
 use super::{Watch, half_swings, remembers, share_of};
 use crate::pairs::Fluid;
-use crate::simulation::told::Readings;
+use crate::simulation::named_readings::Readings;
 use crate::theory::standing_wave::StandingWave;
 
 /// Follows how much of the wave's flow the water has.

@@ -2,7 +2,7 @@
 
 use super::{Watch, kinetic_energy, remembers, share_of};
 use crate::pairs::Fluid;
-use crate::simulation::told::Readings;
+use crate::simulation::named_readings::Readings;
 use crate::theory::taylor_green::TaylorGreen;
 
 /// Follows how much of the vortices is left.

@@ -4,8 +4,8 @@ mod probes;
 
 use super::config::CaseConfig;
 use super::contract::SceneOfKind;
-use super::far::{self, FARTHEST_WALL};
 use super::kind::Scene;
+use super::loose_wall::{self, FARTHEST_WALL};
 use super::numerics::Numerics;
 use super::seawall::{SeawallScene, WallChoice};
 use crate::keys::ConfigError;
@@ -131,7 +131,7 @@ fn early(scene: &SeawallScene) -> Option<ConfigError> {
 
 /// The run ends early, as the wall goes farther than any that is held.
 fn loose(scene: &SeawallScene) -> Option<ConfigError> {
-    let (way, stiffness) = (far::displacement(scene)?, scene.spring_stiffness_n_per_m?);
+    let (way, stiffness) = (loose_wall::displacement(scene)?, scene.spring_stiffness_n_per_m?);
     let told = || {
         format!(
             "so soft a spring may let the wall go some {way:.0} h; a run fails as wall-unstable where it goes more than \
