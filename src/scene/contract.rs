@@ -1,6 +1,7 @@
 //! What a scene of every kind must tell: its scales, its water, and how its tank is built.
 
 use super::frame::Frame;
+use super::lattice::Lattice;
 use super::numerics::Numerics;
 use super::tank::Tank;
 use crate::keys::ConfigError;
@@ -20,11 +21,19 @@ pub enum Walls {
 /// A scene of one kind, by its keys.
 pub(super) trait SceneOfKind {
     /// What its depth is, in words.
-    const DEPTH: &'static str;
+    fn depth_name(&self) -> &'static str {
+        "still water depth"
+    }
+
     /// What holds its water.
-    const WALLS: Walls = Walls::Tank;
+    fn walls(&self) -> Walls {
+        Walls::Tank
+    }
+
     /// Why incompressible SPH cannot take it; none where it can.
-    const NOT_FOR_ISPH: Option<&'static str> = None;
+    fn not_for_isph(&self) -> Option<&'static str> {
+        None
+    }
 
     /// Its scales.
     fn frame(&self) -> Frame;
@@ -35,8 +44,15 @@ pub(super) trait SceneOfKind {
         length * depth
     }
 
+    /// Where particles stand at the start. By default they fill the length up to the depth.
+    fn lattice(&self, numerics: &Numerics) -> Lattice {
+        Lattice::whole(&self.frame(), numerics, 90.0)
+    }
+
     /// Fluid particles.
-    fn particles(&self, numerics: &Numerics) -> usize;
+    fn particles(&self, numerics: &Numerics) -> usize {
+        self.lattice(numerics).particles()
+    }
 
     /// Checks what no key can tell alone.
     fn validate(&self, _: &Numerics) -> Result<(), ConfigError> {

@@ -1,5 +1,6 @@
 //! What a crest, and the floor behind it, ask of the rest of the scene.
 
+use super::contract::SceneOfKind;
 use super::crest::{CrestKeys, FloorKeys};
 use super::filling::WALL_HEIGHT;
 use super::lattice::Lattice;

@@ -69,15 +69,12 @@ impl DamBreakScene {
     pub(super) fn rows_in_the_end(&self, spacing: f64) -> f64 {
         self.column_length_m * self.column_height_m / (self.tank_length_m * spacing)
     }
-
-    fn lattice(&self, numerics: &Numerics) -> Lattice {
-        let size = [self.column_length_m, self.column_height_m];
-        Lattice::new(size, numerics.particle_spacing_m, 90.0)
-    }
 }
 
 impl SceneOfKind for DamBreakScene {
-    const DEPTH: &'static str = "column height";
+    fn depth_name(&self) -> &'static str {
+        "column height"
+    }
 
     fn frame(&self) -> Frame {
         Frame {
@@ -95,8 +92,9 @@ impl SceneOfKind for DamBreakScene {
         self.column_length_m * self.column_height_m
     }
 
-    fn particles(&self, numerics: &Numerics) -> usize {
-        self.lattice(numerics).particles()
+    fn lattice(&self, numerics: &Numerics) -> Lattice {
+        let size = [self.column_length_m, self.column_height_m];
+        Lattice::new(size, numerics.particle_spacing_m, 90.0)
     }
 
     fn validate(&self, _: &Numerics) -> Result<(), ConfigError> {

@@ -31,15 +31,7 @@ section! {
     }
 }
 
-impl HydrostaticScene {
-    fn lattice(&self, numerics: &Numerics) -> Lattice {
-        Lattice::whole(&self.frame(), numerics, self.wall_angle_deg)
-    }
-}
-
 impl SceneOfKind for HydrostaticScene {
-    const DEPTH: &'static str = "still water depth";
-
     fn frame(&self) -> Frame {
         Frame {
             length: self.tank_length_m,
@@ -56,8 +48,8 @@ impl SceneOfKind for HydrostaticScene {
         leaning::water_area(self.wall_angle_deg, &self.frame())
     }
 
-    fn particles(&self, numerics: &Numerics) -> usize {
-        self.lattice(numerics).particles()
+    fn lattice(&self, numerics: &Numerics) -> Lattice {
+        Lattice::whole(&self.frame(), numerics, self.wall_angle_deg)
     }
 
     fn validate(&self, _: &Numerics) -> Result<(), ConfigError> {

@@ -170,10 +170,7 @@ impl Scene {
 
     /// What holds the water.
     pub fn walls(&self) -> Walls {
-        fn told<S: SceneOfKind>(_: &S) -> Walls {
-            S::WALLS
-        }
-        each!(self, scene => told(scene))
+        each!(self, scene => scene.walls())
     }
 
     /// Builds the tank.
@@ -183,19 +180,13 @@ impl Scene {
 
     /// What the scene's depth is, in words.
     pub(super) fn depth_name(&self) -> &'static str {
-        fn told<S: SceneOfKind>(_: &S) -> &'static str {
-            S::DEPTH
-        }
-        each!(self, scene => told(scene))
+        each!(self, scene => scene.depth_name())
     }
 
     /// Checks what no key can tell alone, and that the scheme can take it.
     pub(super) fn validate(&self, numerics: &Numerics) -> Result<(), ConfigError> {
-        fn why_not<S: SceneOfKind>(_: &S) -> Option<&'static str> {
-            S::NOT_FOR_ISPH
-        }
         each!(self, scene => scene.validate(numerics))?;
-        match each!(self, scene => why_not(scene)) {
+        match each!(self, scene => scene.not_for_isph()) {
             Some(why) if numerics.scheme == Scheme::Isph => {
                 let allowed = format!("{} {why}", self.kind());
                 Err(ConfigError::new("numerics.scheme", "\"isph\"", allowed))

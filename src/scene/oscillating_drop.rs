@@ -5,7 +5,6 @@ use std::f64::consts::TAU;
 use super::contract::{SceneOfKind, Walls};
 use super::filling::Filling;
 use super::frame::Frame;
-use super::lattice::Lattice;
 use super::numerics::Numerics;
 use super::tank::Tank;
 use crate::keys::{ConfigError, Range, section};
@@ -65,10 +64,17 @@ impl OscillatingDropScene {
 }
 
 impl SceneOfKind for OscillatingDropScene {
-    const DEPTH: &'static str = "drop's diameter";
-    const WALLS: Walls = Walls::None;
-    const NOT_FOR_ISPH: Option<&'static str> =
-        Some("lies in a central field, which isph does not know");
+    fn depth_name(&self) -> &'static str {
+        "drop's diameter"
+    }
+
+    fn walls(&self) -> Walls {
+        Walls::None
+    }
+
+    fn not_for_isph(&self) -> Option<&'static str> {
+        Some("lies in a central field, which isph does not know")
+    }
 
     fn frame(&self) -> Frame {
         let period = self.drop_at_start().period();
@@ -105,10 +111,9 @@ impl SceneOfKind for OscillatingDropScene {
             let density = state.density(pressure);
             [x, y, density, density * area]
         });
-        let size = [frame.length; 2];
-        let lattice = Lattice::new(size, numerics.particle_spacing_m, 90.0);
+        let lattice = self.lattice(numerics);
         let filling = Filling {
-            walls: Self::WALLS,
+            walls: self.walls(),
             field: Some(CentralField { centre: [0.0; 2], rate: self.field_rate_per_s }),
             ..Filling::of(lattice, points.collect(), frame.density)
         };

@@ -3,7 +3,6 @@
 use super::contract::{SceneOfKind, Walls};
 use super::filling::Filling;
 use super::frame::Frame;
-use super::lattice::Lattice;
 use super::numerics::Numerics;
 use super::tank::Tank;
 use crate::keys::section;
@@ -32,15 +31,16 @@ impl RotatingPatchScene {
     pub fn patch(&self) -> RotatingPatch {
         RotatingPatch { side: self.side_m, rate: self.rotation_rate_per_s }
     }
-
-    fn lattice(&self, numerics: &Numerics) -> Lattice {
-        Lattice::whole(&self.frame(), numerics, 90.0)
-    }
 }
 
 impl SceneOfKind for RotatingPatchScene {
-    const DEPTH: &'static str = "patch's side";
-    const WALLS: Walls = Walls::None;
+    fn depth_name(&self) -> &'static str {
+        "patch's side"
+    }
+
+    fn walls(&self) -> Walls {
+        Walls::None
+    }
 
     fn frame(&self) -> Frame {
         Frame {
@@ -54,10 +54,6 @@ impl SceneOfKind for RotatingPatchScene {
         }
     }
 
-    fn particles(&self, numerics: &Numerics) -> usize {
-        self.lattice(numerics).particles()
-    }
-
     fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
         let (frame, patch, lattice) = (self.frame(), self.patch(), self.lattice(numerics));
         let half = 0.5 * self.side_m;
@@ -65,7 +61,7 @@ impl SceneOfKind for RotatingPatchScene {
         let centred =
             points.into_iter().map(|[x, y, of_state, mass]| [x - half, y - half, of_state, mass]);
         let filling = Filling {
-            walls: Self::WALLS,
+            walls: self.walls(),
             ..Filling::of(lattice, centred.collect(), frame.density)
         };
         let filling = filling

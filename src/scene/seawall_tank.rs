@@ -32,10 +32,6 @@ impl SeawallScene {
         })
     }
 
-    pub(super) fn lattice(&self, numerics: &Numerics) -> Lattice {
-        Lattice::whole(&self.frame(), numerics, self.wall_angle_deg)
-    }
-
     /// The still water behind the wall, where there is any.
     fn basin(&self, frame: &Frame, numerics: &Numerics) -> Option<Basin> {
         let (lattice, level) = (self.basin_lattice(numerics)?, self.basin_level()?);
@@ -64,8 +60,6 @@ impl SeawallScene {
 }
 
 impl SceneOfKind for SeawallScene {
-    const DEPTH: &'static str = "still water depth";
-
     fn frame(&self) -> Frame {
         Frame {
             length: self.tank_length_m,
@@ -83,6 +77,10 @@ impl SceneOfKind for SeawallScene {
         let bed = self.uneven_bed().map(|bed| bed.area_below(frame.depth));
         let before = bed.unwrap_or_else(|| leaning::water_area(self.wall_angle_deg, &frame));
         before + self.basin_area()
+    }
+
+    fn lattice(&self, numerics: &Numerics) -> Lattice {
+        Lattice::whole(&self.frame(), numerics, self.wall_angle_deg)
     }
 
     fn particles(&self, numerics: &Numerics) -> usize {

@@ -2,7 +2,6 @@
 
 use super::contract::SceneOfKind;
 use super::frame::Frame;
-use super::lattice::Lattice;
 use super::numerics::Numerics;
 use super::still_water::still_water;
 use super::tank::Tank;
@@ -51,15 +50,9 @@ impl StandingWaveScene {
     fn period(&self) -> f64 {
         std::f64::consts::TAU / self.wave().frequency()
     }
-
-    fn lattice(&self, numerics: &Numerics) -> Lattice {
-        Lattice::whole(&self.frame(), numerics, 90.0)
-    }
 }
 
 impl SceneOfKind for StandingWaveScene {
-    const DEPTH: &'static str = "still water depth";
-
     fn frame(&self) -> Frame {
         Frame {
             length: self.tank_length_m,
@@ -70,10 +63,6 @@ impl SceneOfKind for StandingWaveScene {
             end_time: self.end_after_periods * self.period(),
             history_interval: self.history_interval_s.unwrap_or(self.period() / 200.0),
         }
-    }
-
-    fn particles(&self, numerics: &Numerics) -> usize {
-        self.lattice(numerics).particles()
     }
 
     fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {

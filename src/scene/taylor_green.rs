@@ -3,7 +3,6 @@
 use super::contract::{SceneOfKind, Walls};
 use super::filling::Filling;
 use super::frame::Frame;
-use super::lattice::Lattice;
 use super::numerics::Numerics;
 use super::tank::Tank;
 use crate::keys::section;
@@ -39,17 +38,20 @@ impl TaylorGreenScene {
             speed: self.speed_m_per_s,
         }
     }
-
-    fn lattice(&self, numerics: &Numerics) -> Lattice {
-        Lattice::whole(&self.frame(), numerics, 90.0)
-    }
 }
 
 impl SceneOfKind for TaylorGreenScene {
-    const DEPTH: &'static str = "box's side";
-    const WALLS: Walls = Walls::Closed;
-    const NOT_FOR_ISPH: Option<&'static str> =
-        Some("has no surface, which isph takes its pressure from");
+    fn depth_name(&self) -> &'static str {
+        "box's side"
+    }
+
+    fn walls(&self) -> Walls {
+        Walls::Closed
+    }
+
+    fn not_for_isph(&self) -> Option<&'static str> {
+        Some("has no surface, which isph takes its pressure from")
+    }
 
     fn frame(&self) -> Frame {
         Frame {
@@ -63,15 +65,12 @@ impl SceneOfKind for TaylorGreenScene {
         }
     }
 
-    fn particles(&self, numerics: &Numerics) -> usize {
-        self.lattice(numerics).particles()
-    }
-
     fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
         let (frame, flow, lattice) = (self.frame(), self.flow(), self.lattice(numerics));
         let mean = self.background_pressure_ratio * flow.speed * flow.speed;
         let points = lattice.points(|_, _| [frame.density; 2]);
-        let filling = Filling { walls: Self::WALLS, ..Filling::of(lattice, points, frame.density) };
+        let filling =
+            Filling { walls: self.walls(), ..Filling::of(lattice, points, frame.density) };
         let pressure = |place| frame.density * (mean + flow.pressure_over_density(place));
         let filling =
             filling.under(&frame, numerics, pressure).moving(|place| flow.velocity(place));
