@@ -159,8 +159,7 @@ fn number(column: &Column, case: &Case<'_>) -> String {
     let Some(value) = column.number(case).filter(|_| column.is_told(case)) else {
         return "-".to_owned();
     };
-    let bar = column.bar.and_then(named).and_then(|bar| bar.number(case));
-    let bar = bar.map(|bar| column.told_value(bar));
+    let bar = column.error(case).map(|bar| column.told_value(bar));
     with_marks(column.told_value(value), bar, column.is_bound(case))
 }
 

@@ -42,6 +42,11 @@ impl Column {
         }
     }
 
+    /// The error bar of its number in a case.
+    pub fn error(&self, case: &Case<'_>) -> Option<f64> {
+        self.bar.and_then(named)?.number(case)
+    }
+
     /// Whether its number in a case is only a lower bound.
     pub fn is_bound(&self, case: &Case<'_>) -> bool {
         let flag = self.bound.and_then(named).and_then(|flag| flag.value(case));
@@ -135,22 +140,7 @@ pub(super) const fn maximum(
 
 #[cfg(test)]
 mod tests {
-    use super::super::summary;
     use super::*;
-
-    /// The story: a list beside the declarations named those of the first impact whose names do not say it.
-    #[test]
-    fn what_is_called_first_is_of_the_first_impact() {
-        let of_first: Vec<_> =
-            summary::names().filter(|name| super::of_first_impact(name)).collect();
-        for name in summary::names().filter(|name| name.starts_with("first_")) {
-            assert!(of_first.contains(&name), "{name}");
-        }
-        for name in ["rise_time_s", "force_error", "runup_error", "first_force_max_time_s"] {
-            assert!(of_first.contains(&name.to_owned()), "{name}");
-        }
-        assert!(!of_first.contains(&"force_max_time_s".to_owned()) && of_first.len() < 20);
-    }
 
     /// The story: where no water went over, the volume was told as -2.558e-15 m².
     #[test]

@@ -156,6 +156,13 @@ pub fn named(name: &str) -> Option<&'static Column> {
     summary::ALL.iter().copied().find(|column| column.name == name)
 }
 
+impl Column {
+    /// Whether it is the error bar of another one.
+    pub fn is_bar(&self) -> bool {
+        summary::ALL.iter().any(|other| other.bar == Some(self.name))
+    }
+}
+
 /// Declares quantities and lists them in their order. The documentation of an entry is its
 /// meaning.
 macro_rules! quantities {

@@ -60,8 +60,6 @@ impl SceneOfKind for HydrostaticScene {
         let frame = self.frame();
         let filling = Filling {
             wall_angle_deg: self.wall_angle_deg,
-            dry_bed: false,
-            bed_beyond_wall: 0.0,
             ..still_water(&frame, self.lattice(numerics), numerics)
         };
         filling.tank(frame, numerics, path)

@@ -69,7 +69,6 @@ impl Refine {
 
 /// Whether a column is a number that the water decides, the same on every machine.
 fn is_result(column: &Column) -> bool {
-    let is_bar = summary::ALL.iter().any(|other| other.bar == Some(column.name));
     let others = [
         &summary::ONSET_TIME,
         &summary::RISE_TIME,
@@ -79,7 +78,7 @@ fn is_result(column: &Column) -> bool {
         &summary::CREST_THICKNESS,
         &summary::CREST_SPEED,
     ];
-    column.is_number() && !is_bar && (column.unit.is_ratio() || others.contains(&column))
+    column.is_number() && !column.is_bar() && (column.unit.is_ratio() || others.contains(&column))
 }
 
 fn is_monotone(values: &[f64]) -> bool {

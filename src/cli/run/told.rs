@@ -7,7 +7,7 @@ use crate::quantities::summary::{
     ALL, COARSE_SPACING, DISPLACEMENT_MAX, DOUBTFUL_REASON, MEASURED_WAVE_HEIGHT_RATIO,
     SEAWALL_MASS, SPRING_STIFFNESS, WAVE_HEIGHT_RATIO,
 };
-use crate::quantities::{Bars, Case, Column, Value, energy, named};
+use crate::quantities::{Bars, Case, Column, Value, energy};
 use crate::report::plain;
 use crate::results::CaseRecord;
 use crate::scene::{CaseConfig, PaddleChoice, SeawallScene, WallChoice};
@@ -68,8 +68,7 @@ const FIRST: [&Column; 2] = [&DOUBTFUL_REASON, &COARSE_SPACING];
 /// What came out of a case, as far as it has it.
 fn outcome_table(case: &Case<'_>) -> String {
     let number = |column: &Column, value: f64| {
-        let bar = column.bar.and_then(named).and_then(|bar| bar.number(case));
-        bar.map_or_else(|| short(value), |bar| with_bar(value, bar))
+        column.error(case).map_or_else(|| short(value), |bar| with_bar(value, bar))
     };
     let line = |column: &Column| {
         let text = match column.value(case)? {
@@ -87,9 +86,8 @@ fn outcome_table(case: &Case<'_>) -> String {
     };
     let results = ALL.iter().skip_while(|column| **column != &MEASURED_WAVE_HEIGHT_RATIO);
     // An error bar stands beside its number.
-    let is_bar = |column: &Column| ALL.iter().any(|other| other.bar == Some(column.name));
-    let results =
-        results.filter(|column| !FIRST.contains(column) && !is_bar(column) && column.is_told(case));
+    let results = results
+        .filter(|column| !FIRST.contains(column) && !column.is_bar() && column.is_told(case));
     FIRST.iter().chain(results).filter_map(|column| line(column)).collect()
 }
 
