@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use seawall::accuracy::{Matrix, Trial};
 use seawall::keys::{Section, Shape};
-use seawall::scene::{CaseConfig, Numerics, Preset, numerics_keys};
+use seawall::scene::{CaseConfig, Kind, Numerics, Preset, numerics_keys, scene_keys};
 use toml::{Table, Value};
 
 #[test]
@@ -65,12 +65,17 @@ fn names_are_the_files_own_and_differ() {
 fn same_answers_has_every_choice_and_every_scene() {
     let script = fs::read_to_string(root().join("scripts/same_answers")).unwrap();
     let words: Vec<_> = script.split(|c: char| !c.is_ascii_alphanumeric() && c != '-').collect();
-    for key in numerics_keys() {
+    let scenes: String =
+        files("sweeps/scenes").iter().map(|path| fs::read_to_string(path).unwrap()).collect();
+    let of_scenes = Kind::ALL.iter().flat_map(|&kind| scene_keys(kind));
+    for key in numerics_keys().into_iter().chain(of_scenes) {
         let Shape::Names(names) = (key.shape)() else { continue };
         let default = (key.default)();
         let default = default.as_ref().and_then(Value::as_str);
         for name in names.iter().filter(|name| Some(**name) != default) {
-            assert!(words.contains(name), "no run has {} = {name:?}", key.name);
+            let is_run =
+                words.contains(name) || scenes.contains(&format!("{} = {name:?}", key.name));
+            assert!(is_run, "no run has {} = {name:?}", key.name);
         }
     }
     for path in files("sweeps/scenes") {
