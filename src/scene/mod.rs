@@ -16,6 +16,7 @@ mod filling;
 mod frame;
 mod happening;
 mod hydrostatic;
+mod interpolator;
 mod kind;
 mod lattice;
 mod leaning;

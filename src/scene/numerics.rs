@@ -2,10 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::boundary::{
-    AMPLIFICATION_LIMIT, BoundaryChoice, Dummy, GhostGravity, ImprovedShepard, InterpolatorChoice,
-    MlsLinear, MlsQuadratic, Normalized, Sfdi, SfdiMatrix,
-};
+use crate::boundary::{AMPLIFICATION_LIMIT, BoundaryChoice, GhostGravity, SfdiMatrix};
 use crate::kernel::KernelChoice;
 use crate::keys::{Rule, Section, section};
 use crate::math::sparse::PreconditionerChoice;
@@ -198,29 +195,5 @@ impl Numerics {
     /// What incompressible SPH reads; its defaults for another scheme.
     pub(super) fn incompressible(&self) -> IncompressibleNumerics {
         self.incompressible.clone().unwrap_or_else(IncompressibleNumerics::defaults)
-    }
-
-    /// The boundary interpolator with its parameters.
-    pub fn interpolator(&self) -> InterpolatorChoice {
-        let amplification_limit = self.amplification_limit;
-        match self.boundary {
-            BoundaryChoice::ImprovedShepard => {
-                InterpolatorChoice::ImprovedShepard(ImprovedShepard {
-                    lambda: self.shepard_lambda,
-                    sigma: self.shepard_sigma,
-                })
-            }
-            BoundaryChoice::Normalized => InterpolatorChoice::Normalized(Normalized),
-            BoundaryChoice::Sfdi => {
-                InterpolatorChoice::Sfdi(Sfdi { matrix: self.sfdi_matrix, amplification_limit })
-            }
-            BoundaryChoice::MlsLinear => {
-                InterpolatorChoice::MlsLinear(MlsLinear { amplification_limit })
-            }
-            BoundaryChoice::MlsQuadratic => {
-                InterpolatorChoice::MlsQuadratic(MlsQuadratic { amplification_limit })
-            }
-            BoundaryChoice::Dummy => InterpolatorChoice::Dummy(Dummy),
-        }
     }
 }
