@@ -105,3 +105,23 @@ fn units_end_names() {
         assert!(!key.meaning.trim().is_empty(), "{}: what does it mean?", key.name);
     }
 }
+
+/// A new choice that its strength does not name would run with it, and `seawall check` would not tell so.
+#[test]
+fn a_choice_that_is_on_reads_its_strength() {
+    let all = numerics_keys();
+    let key = |name: &str| all.iter().find(|key| key.name == name).unwrap();
+    for choice in ["density_diffusion", "shifting"] {
+        let Shape::Names(names) = (key(choice).shape)() else { panic!("{choice} has no names") };
+        let strength = key(&format!("{choice}_coefficient"));
+        let read = strength.rule.read.expect("it is read at some choices alone");
+        for name in names.iter().filter(|name| **name != "none") {
+            let told = "must be among those where";
+            assert!(
+                read.values.contains(name),
+                "{choice} = {name:?} {told} {} is read",
+                strength.name
+            );
+        }
+    }
+}
