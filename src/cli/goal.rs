@@ -17,7 +17,7 @@ pub(super) enum Goal {
     /// Numerics that are chosen, and chosen finer until the error bars are narrow enough.
     MaxError(MaxError),
     /// Further points, round by round.
-    Points(Refinement),
+    Points(Box<Refinement>),
 }
 
 impl Goal {
@@ -29,7 +29,7 @@ impl Goal {
     ) -> Result<Goal, BadInput> {
         Ok(match (max_error::aim(percent, study)?, Refinement::of(file)) {
             (Some(aim), _) => Goal::MaxError(aim),
-            (None, Some(points)) => Goal::Points(points),
+            (None, Some(points)) => Goal::Points(Box::new(points)),
             (None, None) => Goal::Cases,
         })
     }
