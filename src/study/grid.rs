@@ -1,6 +1,7 @@
 //! From a sweep file to its cases: the cartesian product, in the order of the file.
 
 use std::collections::HashSet;
+use std::collections::hash_map::Entry;
 use std::sync::LazyLock;
 
 use rayon::prelude::*;
@@ -32,25 +33,35 @@ pub(super) fn expand(file: &SweepFile) -> Result<Vec<Case>, ConfigError> {
     let mut cases: Vec<Case> = Vec::with_capacity(count);
     let mut seen = CaseMap::with_capacity_and_hasher(count, Default::default());
     let mut numerics = Recent::default();
-    // Block by block: cases that do not share their numerics yet take twice the memory.
-    let blocks = (0..count).step_by(BLOCK).map(|first| first..count.min(first + BLOCK));
-    let points = blocks.flat_map(|block| {
-        let points = block.into_par_iter().map(|index| point(file, &places, &values, index));
-        points.collect::<Vec<_>>()
-    });
-    for point in points {
+    let mut add = |point: Result<(Case, bool), ConfigError>| {
         let (mut case, collapsed) = point?;
         numerics.share(&mut case.config.numerics);
-        if let Some(&earlier) = seen.get(&case.id) {
-            if collapsed {
-                continue;
+        match seen.entry(case.id) {
+            Entry::Vacant(place) => {
+                place.insert(cases.len());
+                cases.push(Case { index: cases.len(), ..case });
+                Ok(())
             }
-            let earlier: &Case = &cases[earlier];
-            let allowed = format!("is the same case as {}", describe(file, &earlier.assignments));
-            return Err(ConfigError::new("grid", describe(file, &case.assignments), allowed));
+            Entry::Occupied(_) if collapsed => Ok(()),
+            Entry::Occupied(earlier) => {
+                let earlier = describe(file, &cases[*earlier.get()].assignments);
+                let allowed = format!("is the same case as {earlier}");
+                Err(ConfigError::new("grid", describe(file, &case.assignments), allowed))
+            }
         }
-        seen.insert(case.id, cases.len());
-        cases.push(Case { index: cases.len(), ..case });
+    };
+    // Block by block: cases that do not share their numerics yet take twice the memory.
+    let block = |first: usize| -> Vec<_> {
+        let block = (first..count.min(first + BLOCK)).into_par_iter();
+        block.map(|index| point(file, &places, &values, index)).collect()
+    };
+    let mut points = block(0);
+    for first in (0..count).step_by(BLOCK) {
+        // The next block is made while this one is added.
+        let (added, next) =
+            rayon::join(|| points.into_iter().try_for_each(&mut add), || block(first + BLOCK));
+        added?;
+        points = next;
     }
     Ok(cases)
 }
