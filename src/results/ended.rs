@@ -2,10 +2,10 @@
 //! would be a gigabyte, and half of the time that it takes to go on with them.
 
 use serde::Deserialize;
-use serde::de::DeserializeOwned;
 
 use super::record::{CaseRecord, HeldLine};
 use super::seal::Seals;
+use super::wanted::Wanted;
 use crate::simulation::FailureKind;
 use crate::study::CaseId;
 
@@ -19,7 +19,7 @@ pub struct Ended {
 }
 
 /// A journal line as far as somebody wants it.
-pub(super) trait Line: DeserializeOwned + Send {
+pub(super) trait Line: Wanted {
     /// What is held of it.
     type Held: Clone + Send;
 
@@ -37,6 +37,10 @@ pub(super) struct EndedLine {
     failure: Option<FailureKind>,
     #[serde(default)]
     files: Seals,
+}
+
+impl Wanted for EndedLine {
+    const UNWANTED: Option<[&'static str; 2]> = Some([",\"reason\":", ",\"files\":"]);
 }
 
 impl Line for EndedLine {

@@ -7,12 +7,12 @@ use std::io::{BufRead, Read};
 use std::path::Path;
 
 use rayon::prelude::*;
-use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use super::checksum::{checksum, split};
 use super::error::SweepError;
 use super::record::CaseRecord;
+use super::wanted::{Wanted, wanted};
 use crate::math::simd::SimdPath;
 
 const VERSION: u32 = 1;
@@ -108,7 +108,7 @@ impl<R> Line<R> {
 ///
 /// # Errors
 /// A file that cannot be read, a whole line that this program does not know, or one that is out of place.
-pub(super) fn parse<R: DeserializeOwned + Send>(
+pub(super) fn parse<R: Wanted>(
     path: &Path,
     text: impl BufRead + Send,
 ) -> Result<Content<R>, SweepError> {
@@ -118,7 +118,7 @@ pub(super) fn parse<R: DeserializeOwned + Send>(
 }
 
 /// The same without holding the records: each block of them is handed on.
-pub(super) fn parse_in_blocks<R: DeserializeOwned + Send>(
+pub(super) fn parse_in_blocks<R: Wanted>(
     path: &Path,
     mut text: impl BufRead + Send,
     mut take: impl FnMut(Vec<R>),
@@ -173,9 +173,9 @@ fn lines_of(mut text: &[u8]) -> Vec<&[u8]> {
     lines
 }
 
-fn read<R: DeserializeOwned>(line: &[u8]) -> Line<R> {
+fn read<R: Wanted>(line: &[u8]) -> Line<R> {
     let ended = line.ends_with(b"\n");
-    let entry = |text: &[u8]| serde_json::from_slice(text).map_err(|error| error.to_string());
+    let entry = |text: &[u8]| serde_json::from_slice(&wanted::<R>(text)).map_err(|e| e.to_string());
     let bytes = line.len() as u64;
     // Nearly every line: then it need not be searched for another one.
     if let Some(text) = whole_entry(line) {

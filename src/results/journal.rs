@@ -11,11 +11,11 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use serde::Serialize;
-use serde::de::DeserializeOwned;
 
 use super::entries::{self, Condition, Content, Entry, Header};
 use super::error::SweepError;
 use super::record::CaseRecord;
+use super::wanted::Wanted;
 use super::{atomic_file, disk};
 use crate::keys::named;
 
@@ -163,7 +163,7 @@ pub fn read_header(directory: &Path) -> Result<Option<Header>, SweepError> {
 ///
 /// # Errors
 /// A file that cannot be read, or another program's.
-pub fn read_in_blocks<R: DeserializeOwned + Send>(
+pub fn read_in_blocks<R: Wanted>(
     directory: &Path,
     take: impl FnMut(Vec<R>),
 ) -> Result<Content<R>, SweepError> {

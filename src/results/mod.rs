@@ -53,6 +53,7 @@ mod trial;
 mod unsynced;
 mod verify;
 mod waiting;
+mod wanted;
 
 pub use again::{finished, finished_whole, first_difference};
 pub use all_histories::{write_all_histories, write_sound_histories};
@@ -83,3 +84,4 @@ pub use program::Program;
 pub use record::{CaseRecord, Fared};
 pub use seal::Seal;
 pub use verify::{Verified, renew_tables, verify};
+pub use wanted::Wanted;

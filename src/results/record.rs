@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::filing::Filed;
 use super::round_trip;
 use super::seal::{Seal, Seals};
+use super::wanted::Wanted;
 use crate::simulation::{
     CaseResult, EnergyBudget, Failure, FailureKind, NamedReading, Outcome, PhaseShare,
 };
@@ -61,6 +62,14 @@ pub(super) struct HeldLine {
     cpu_time_s: Option<f64>,
     #[serde(default)]
     files: Seals,
+}
+
+impl Wanted for CaseRecord {}
+
+impl Wanted for HeldLine {}
+
+impl Wanted for Fared {
+    const UNWANTED: Option<[&'static str; 2]> = Some([",\"outcome\":", ",\"wall_time_s\":"]);
 }
 
 impl HeldLine {
