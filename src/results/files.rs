@@ -98,7 +98,12 @@ pub(super) fn history_path(directory: &Path, id: impl std::fmt::Display) -> Path
 
 /// Where a case's file in a folder is.
 pub(super) fn path(directory: &Path, folder: &str, id: impl std::fmt::Display) -> PathBuf {
-    directory.join(folder).join(format!("{id}.csv"))
+    directory.join(folder).join(file_name(id))
+}
+
+/// The name of a case's file in any folder.
+pub(super) fn file_name(id: impl std::fmt::Display) -> String {
+    format!("{id}.csv")
 }
 
 /// What a file in a folder is called in sentences.

@@ -11,7 +11,7 @@ use super::entries::Content;
 use super::error::SweepError;
 use super::left::Places;
 use super::looked::{self, Looked};
-use super::stamp::{CaseFiles, Stamps};
+use super::stamp::{CaseFiles, OpenFolders, Stamps};
 use super::{files, journal};
 use crate::keys::named;
 use crate::study::{CaseId, CaseMap, Study};
@@ -20,6 +20,7 @@ use crate::study::{CaseId, CaseMap, Study};
 /// are known by their id: asking for other error bars renumbers them.
 pub(super) struct Filling<'a, L: Line> {
     path: &'a Path,
+    folders: OpenFolders,
     cases: usize,
     places: CaseMap<usize>,
     records: Vec<Option<L::Held>>,
@@ -46,6 +47,7 @@ impl<'a, L: Line> Filling<'a, L> {
     pub(super) fn new(path: &'a Path, study: &Study) -> Filling<'a, L> {
         Filling {
             path,
+            folders: OpenFolders::of(path),
             cases: study.cases.len(),
             places: study.runs().map(|case| (case.id, case.index)).collect(),
             records: vec![None; study.run_count()],
@@ -74,7 +76,7 @@ impl<'a, L: Line> Filling<'a, L> {
 
     /// Takes the next lines, and looks at the files of their cases.
     pub(super) fn take(&mut self, lines: Vec<L>) {
-        let (path, cases, places) = (self.path, self.cases, &self.places);
+        let (path, cases, places, folders) = (self.path, self.cases, &self.places, &self.folders);
         let (looks, notes) = (self.looks, self.notes);
         let known = self.known.map_or(0, |known| known.lines).saturating_sub(self.taken);
         self.taken += lines.len();
@@ -85,7 +87,7 @@ impl<'a, L: Line> Filling<'a, L> {
             let has_files = is_ok && index < cases;
             let files = has_files.then(|| CaseFiles::of(id, &seals));
             // Before they are read: what changes meanwhile shows later.
-            let stamp = files.filter(|_| notes).map_or(Some(0), |files| files.stamp(path));
+            let stamp = files.filter(|_| notes).map_or(Some(0), |files| files.stamp(folders));
             let is_noted = number < known;
             let is_read = looks && has_files && !is_noted;
             let damage = is_read.then(|| files::damage(path, id, &seals));

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::error::SweepError;
 use super::files::FOLDERS;
-use super::stamp::CaseFiles;
+use super::stamp::{CaseFiles, OpenFolders};
 use super::{atomic_file, disk};
 
 /// So many files go to the disk with all else that waits to: one by one they take seven times as long.
@@ -66,7 +66,8 @@ impl Unsynced {
 
     /// A sum over what the system tells of all that were not found on opening; see [`CaseFiles::stamp`].
     pub(super) fn stamp(&self, directory: &Path) -> Option<u64> {
+        let folders = OpenFolders::of(directory);
         let mut new = self.cases[self.found..].iter().chain(&self.on_disk);
-        new.try_fold(0_u64, |sum, files| Some(sum.wrapping_add(files.stamp(directory)?)))
+        new.try_fold(0_u64, |sum, files| Some(sum.wrapping_add(files.stamp(&folders)?)))
     }
 }
