@@ -255,7 +255,6 @@ fn a_bad_instruction_set_in_the_environment_is_refused_by_all_that_computes() {
 }
 
 #[test]
-#[cfg(unix)]
 fn a_sweep_file_may_come_through_a_pipe() {
     use std::io::Write;
     use std::process::Stdio;
@@ -282,7 +281,6 @@ fn a_sweep_file_may_come_through_a_pipe() {
 
 /// The story: `check /dev/zero` filled the memory, and with a pipe that nobody writes into no command ended.
 #[test]
-#[cfg(unix)]
 fn a_file_without_an_end_is_refused() {
     let root = tempfile::tempdir().unwrap();
     let [pipe, long] = ["pipe", "long"].map(|name| root.path().join(name));

@@ -215,7 +215,6 @@ fn figures_for_print_come_in_two_widths_and_no_other_format() {
 
 /// Whatever a path holds, no message lets it move the cursor or begin a line.
 #[test]
-#[cfg(unix)]
 fn paths_are_told_as_text() {
     let root = tempfile::tempdir().unwrap();
     let (file, out) = (write_file(root.path(), TINY), root.path().join("a\n\u{1b}[31mb"));

@@ -1,6 +1,5 @@
 //! What a cluster needs: a job script that queues itself again until all is done, and a look from outside.
 //! `scripts/slurm` tries the same on a true Slurm.
-#![cfg(unix)]
 
 mod common;
 

@@ -140,7 +140,6 @@ fn a_closed_study_is_told_again_until_it_changes() {
 
 /// The story: to go on with a million cases every file of those that were done was read again, which took minutes.
 #[test]
-#[cfg(unix)]
 fn a_large_study_that_was_killed_goes_on_to_the_same_bytes() {
     let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
     let cases = Closing::ABOVE + 1;

@@ -144,7 +144,6 @@ fn a_killed_run_goes_on_whatever_its_scene() {
 }
 
 #[test]
-#[cfg(unix)]
 fn a_run_that_is_told_to_stop_keeps_its_state() {
     let desk = Desk::new(BED);
     let [whole, out] = ["whole", "out"].map(|name| desk.path().join(name));

@@ -85,7 +85,6 @@ fn same_answers_has_every_choice_and_every_scene() {
 }
 
 /// Tables of papers hold how long steps took, and no two runs agree in that.
-#[cfg(unix)]
 #[test]
 fn same_answers_leaves_out_how_long_a_step_took() {
     let script = root().join("scripts/same_answers");
@@ -109,7 +108,6 @@ fn same_answers_leaves_out_how_long_a_step_took() {
 }
 
 /// A run that Ctrl-C had stopped was kept as an answer, and the script went on with the next.
-#[cfg(unix)]
 #[test]
 fn same_answers_keeps_nothing_when_it_is_stopped() {
     use std::os::unix::fs::PermissionsExt;
@@ -135,7 +133,6 @@ fn same_answers_keeps_nothing_when_it_is_stopped() {
 }
 
 /// Five of them took `--help` for work: they installed packages, and built for minutes.
-#[cfg(unix)]
 #[test]
 fn every_script_tells_what_it_does_and_does_nothing_else() {
     use std::os::unix::fs::PermissionsExt;

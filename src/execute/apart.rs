@@ -111,7 +111,6 @@ fn start() -> std::io::Result<Child> {
         }
     }
     // A signal from the terminal is for the parent, which decides what becomes of the child.
-    #[cfg(unix)]
     std::os::unix::process::CommandExt::process_group(&mut command, 0);
     let pipes = command.arg(SUBCOMMAND).stdin(Stdio::piped()).stdout(Stdio::piped());
     pipes.stderr(Stdio::piped()).spawn()
@@ -196,7 +195,6 @@ fn read_all(pipe: Option<impl Read>) -> Vec<u8> {
 
 /// Ends this process soon after the one that has started it: nobody waits for its answer any more, and
 /// the next one to take the work up keeps the same checkpoint.
-#[cfg(unix)]
 fn end_with_parent() {
     let parent = std::os::unix::process::parent_id();
     std::thread::spawn(move || {
@@ -206,9 +204,6 @@ fn end_with_parent() {
         std::process::exit(1);
     });
 }
-
-#[cfg(not(unix))]
-fn end_with_parent() {}
 
 /// The child's side: a task from `input`, which the runner that `make_runner` makes does, and its answer to
 /// `output`.

@@ -62,7 +62,6 @@ mod tests {
 
     /// Too few open files were an "uncategorized error".
     #[test]
-    #[cfg(unix)]
     fn the_systems_errors_are_told_plainly() {
         let told = |number| in_words(&io::Error::from_raw_os_error(number));
         assert_eq!(told(13), "permission denied");

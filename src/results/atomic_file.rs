@@ -79,16 +79,9 @@ pub(super) fn is_same(file: &File, path: &Path) -> bool {
 }
 
 /// Device and number: what a file or folder is to the system, whatever its name.
-#[cfg(unix)]
 pub(super) fn identity(file: &fs::Metadata) -> [u64; 2] {
     use std::os::unix::fs::MetadataExt;
     [file.dev(), file.ino()]
-}
-
-/// There is nothing to compare elsewhere.
-#[cfg(not(unix))]
-pub(super) fn identity(_file: &fs::Metadata) -> [u64; 2] {
-    [0; 2]
 }
 
 #[cfg(test)]

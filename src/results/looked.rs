@@ -98,5 +98,5 @@ impl Notes {
     }
 }
 
-#[cfg(all(test, unix))]
+#[cfg(test)]
 mod tests;

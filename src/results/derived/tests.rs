@@ -104,7 +104,6 @@ fn what_a_report_has_no_more_is_removed_and_nothing_else() {
 
 /// The sweep and the report ended with an error, as no seal can be made of it.
 #[test]
-#[cfg(unix)]
 fn a_link_that_leads_nowhere_is_passed_over() {
     let root = tempfile::tempdir().unwrap();
     let directory = root.path();

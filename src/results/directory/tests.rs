@@ -87,7 +87,6 @@ fn another_sweeps_directory_is_refused_untouched() {
 }
 
 /// The story: a link to a large disk was moved aside, and a folder beside it took the new results.
-#[cfg(unix)]
 #[test]
 fn a_link_still_leads_to_the_disk_it_led_to() {
     let root = tempfile::tempdir().unwrap();
