@@ -18,8 +18,6 @@ type Points = Vec<(f64, f64)>;
 pub struct Line {
     /// Its words in the legend.
     pub entry: Entry,
-    /// The id of its case.
-    pub case: String,
     /// What it shows.
     pub points: Points,
 }
@@ -27,8 +25,7 @@ pub struct Line {
 impl Line {
     /// The `index`-th line of a figure.
     pub fn new(index: usize, label: &str, case: &str, points: Points) -> Line {
-        let entry = Entry::line(label, Look::of(index)).keyed(format!("case={case}"));
-        Line { entry, case: case.to_owned(), points }
+        Line { entry: Entry::line(label, Look::of(index)).keyed(format!("case={case}")), points }
     }
 }
 
