@@ -5,7 +5,7 @@ use super::{COMPARED, Comparison, Difference, Pair};
 use crate::quantities::Column;
 use crate::report::plots::{Axis, Chart, Curve, Drawing, Entry, Figure, Layout, Look, Point};
 use crate::report::row::PLACE;
-use crate::report::tables::Table;
+use crate::report::tables::{Table, plain};
 
 /// The table: the point, both cases, and for each quantity both values and what they differ by.
 pub fn table(comparison: &Comparison) -> Table {
@@ -26,12 +26,11 @@ pub fn table(comparison: &Comparison) -> Table {
 
 fn of(difference: Option<&Difference>) -> [String; 8] {
     let Some(one) = difference else { return Default::default() };
-    let cell = |value: Option<f64>| value.map(|value| value.to_string()).unwrap_or_default();
     let [a, b] = one.values.map(|value| value.to_string());
-    let [error_a, error_b] = one.bars.map(cell);
+    let [error_a, error_b] = one.bars.map(plain);
     let bound = one.bounds.iter().any(|bound| *bound).to_string();
-    let within = one.is_within().map(|is| is.to_string()).unwrap_or_default();
-    [a, b, one.absolute().to_string(), cell(one.percent()), error_a, error_b, bound, within]
+    let [difference, percent] = [one.absolute().to_string(), plain(one.percent())];
+    [a, b, difference, percent, error_a, error_b, bound, plain(one.is_within())]
 }
 
 /// The figure; none where no pair has a number of each.

@@ -13,7 +13,7 @@ use crate::report::config::Config;
 use crate::report::number;
 use crate::report::row::{PLACE, Row};
 use crate::report::spoken::spoken;
-use crate::report::tables::Table;
+use crate::report::tables::{Table, plain};
 
 /// The table `papers`.
 pub fn tidy(found: &[Found]) -> Table {
@@ -41,7 +41,6 @@ pub fn tidy(found: &[Found]) -> Table {
         CASE_ID.name,
         "note",
     ];
-    let cell = |value: Option<f64>| value.map(|value| value.to_string()).unwrap_or_default();
     let row = |found: &Found| {
         let (printed, row) = (found.printed, found.row);
         let of_many = printed.log10_k_star.is_some();
@@ -50,11 +49,11 @@ pub fn tidy(found: &[Found]) -> Table {
         [
             vec![printed.paper.clone(), printed.figure.clone(), printed.quantity.clone()],
             place.to_vec(),
-            vec![cell(stiffness), cell(printed.time_s), printed.unit.clone()],
+            vec![plain(stiffness), plain(printed.time_s), printed.unit.clone()],
             vec![printed.value.to_string(), name_of(printed.read), digits(found.computed)],
-            vec![cell(found.error), found.bound.to_string(), digits(found.difference())],
+            vec![plain(found.error), found.bound.to_string(), digits(found.difference())],
             vec![found.percent().map(digits).unwrap_or_default(), found.is_met().to_string()],
-            vec![cell(found.coupling()), row.text(&SCHEME).to_owned(), row.variant.to_string()],
+            vec![plain(found.coupling()), row.text(&SCHEME).to_owned(), row.variant.to_string()],
             vec![row.id().to_owned(), printed.note.clone()],
         ]
         .concat()

@@ -173,7 +173,8 @@ fn cells(row: &Row, columns: &[&Column]) -> Vec<String> {
     columns.iter().map(|column| row.cell(column)).collect()
 }
 
-fn plain<T: ToString>(value: Option<T>) -> String {
+/// A cell of what may not be there.
+pub(super) fn plain<T: ToString>(value: Option<T>) -> String {
     value.map(|value| value.to_string()).unwrap_or_default()
 }
 
