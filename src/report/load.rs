@@ -89,6 +89,11 @@ impl Loaded {
         self.rows.iter().filter(|row| row.is_ok())
     }
 
+    /// The same, each behind its place among all rows.
+    pub(super) fn placed(&self) -> impl Iterator<Item = (usize, &Row)> {
+        self.rows.iter().enumerate().filter(|(_, row)| row.is_ok())
+    }
+
     /// Those of one variant.
     pub fn of_variant(&self, variant: &str) -> impl Iterator<Item = &Row> {
         self.finished().filter(move |row| *row.variant == *variant)

@@ -84,14 +84,13 @@ pub fn compare(directories: [&Path; 2]) -> Result<Comparison, ReportError> {
 
 impl<'a> Study<'a> {
     fn of(data: &'a Loaded) -> Study<'a> {
-        let finished = || data.rows.iter().enumerate().filter(|(_, row)| row.is_ok());
-        let configs = each_config(data, finished().map(|(place, _)| place));
+        let configs = each_config(data, data.placed().map(|(place, _)| place));
         let mut values = Values::default();
         let side = |((_, row), config): ((usize, &'a Row), Option<_>)| Side {
             row,
             case: config.map(|config| values.push(&config)),
         };
-        let sides = finished().zip(configs).map(side).collect();
+        let sides = data.placed().zip(configs).map(side).collect();
         Study { data, sides, values }
     }
 }

@@ -14,8 +14,7 @@ const LOOKED_AT: usize = 200;
 /// Where the papers' numbers are nearest to, and the command that makes their figure; `None` where the
 /// study is none of solitary waves at walls that are fixed or have a spring.
 pub fn nearest(data: &Loaded) -> Option<String> {
-    let finished: Vec<usize> =
-        data.rows.iter().enumerate().filter(|(_, row)| row.is_ok()).map(|(at, _)| at).collect();
+    let finished: Vec<usize> = data.placed().map(|(at, _)| at).collect();
     let places = spread(&finished, LOOKED_AT);
     let configs: Vec<_> = each_config(data, places.iter().copied()).collect();
     let rows = places.iter().map(|&at| &data.rows[at]);

@@ -85,9 +85,8 @@ pub fn walls<'a>(data: &'a Loaded, variant: &str) -> impl Iterator<Item = (usize
 
 /// Likewise, whatever is known of them.
 fn all<'a>(data: &'a Loaded, variant: &str) -> impl Iterator<Item = (usize, &'a Row)> {
-    data.rows.iter().enumerate().filter(move |(_, row)| {
-        row.is_ok()
-            && row.is_fixed()
+    data.placed().filter(move |(_, row)| {
+        row.is_fixed()
             && *row.variant == *variant
             && row.number(&WAVE_HEIGHT_RATIO).is_some_and(|wave| wave > 0.0)
     })

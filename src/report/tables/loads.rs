@@ -1,6 +1,6 @@
 //! What engineers build by: loads on the wall, and what goes over its crest.
 
-use super::{Field, Lines, fields, finished, over_goda, table, variant};
+use super::{Field, Lines, fields, over_goda, table, variant};
 use crate::quantities::Column;
 use crate::quantities::summary::{
     CASE_ID, CREST_SPEED, CREST_THICKNESS, FIRST_FORCE_MAX, FIRST_IMPULSE, FIRST_MOMENT_MAX,
@@ -48,7 +48,7 @@ fn columns<'a>(data: &Loaded, told: &[&'static Column], more: Option<Field<'a>>)
 
 /// The finished cases that have a number in a column.
 fn having<'a>(data: &'a Loaded, column: &'static Column) -> impl Iterator<Item = (usize, &'a Row)> {
-    finished(data).filter(|(_, row)| row.number(column).is_some())
+    data.placed().filter(|(_, row)| row.number(column).is_some())
 }
 
 #[cfg(test)]

@@ -61,11 +61,6 @@ fn table<'a>(
     Lines::new(name, title, &header, rows.map(line))
 }
 
-/// The finished cases with their places.
-fn finished(data: &Loaded) -> impl Iterator<Item = (usize, &Row)> {
-    data.rows.iter().enumerate().filter(|(_, row)| row.is_ok())
-}
-
 /// Every table that the sweep's files can fill.
 pub fn all(data: &Loaded) -> Vec<Lines<'_>> {
     let mut tables = vec![summary(data), health(data)];
@@ -118,7 +113,7 @@ fn health(data: &Loaded) -> Lines<'_> {
         &[&PARTICLES, &STEPS, &STOP_IMPULSE, &DOUBTFUL_REASON],
     ];
     let columns = fields(&columns.concat()).into_iter().chain(variant(data.finished()));
-    table("health", "Health", columns.collect(), finished(data))
+    table("health", "Health", columns.collect(), data.placed())
 }
 
 /// The first of the cases that failed, and why.

@@ -44,7 +44,7 @@ fn force(row: &Row) -> f64 {
 /// The cases by all that is swept but the wall, where a wall has another to be compared with.
 fn groups(data: &Loaded) -> Vec<Group<'_>> {
     let (mut places, mut groups) = (HashMap::new(), Vec::<Vec<&Row>>::new());
-    for (index, row) in data.rows.iter().enumerate().filter(|(_, row)| row.is_ok()) {
+    for (index, row) in data.placed() {
         let swept = data.keys.iter().filter(|key| !OF_THE_WALL.contains(&key.name.as_str()));
         let mut key: Vec<_> = swept.map(|key| &key.cells[index]).collect();
         key.extend([row.text(&WAVE_HEIGHT_RATIO), &*row.variant]);
