@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use super::keeping::Keeping;
 use super::memory::kilobytes;
+use super::message::Posted;
 use super::runner::{Runner, guarded};
 use crate::scene::CaseConfig;
 use crate::simulation::{
@@ -31,8 +32,7 @@ const WATCH: Duration = Duration::from_millis(100);
 #[derive(Debug, Serialize, Deserialize)]
 struct Task {
     trunk: bool,
-    /// JSON, which carries every bit.
-    config: String,
+    config: Posted,
     checkpoint: Option<Vec<u8>>,
     resources: Resources,
     keep: Option<Keeping>,
@@ -71,7 +71,7 @@ impl Apart {
         checkpoint: Option<&[u8]>,
         monitor: &dyn Monitor,
     ) -> Result<T, Stopped> {
-        let config = serde_json::to_string(config).expect("a configuration has a JSON form");
+        let config = Posted::from(config);
         let checkpoint = checkpoint.map(<[u8]>::to_vec);
         let (resources, keep) = (self.resources, self.keep.clone());
         let limits = monitor.limits();
@@ -218,7 +218,7 @@ pub fn serve<R: Runner>(
     let mut bytes = Vec::new();
     input.read_to_end(&mut bytes)?;
     let task: Task = postcard::from_bytes(&bytes)?;
-    let config: CaseConfig = serde_json::from_str(&task.config)?;
+    let config = task.config.read().map_err(anyhow::Error::msg)?;
     end_with_parent();
     let runner = make_runner(task.resources, task.keep);
     let checkpoint = task.checkpoint.as_deref();

@@ -8,9 +8,9 @@ fn a_child_gives_the_same_bits() {
     let scene = "kind = \"hydrostatic\"".parse().unwrap();
     let config = CaseConfig::from_tables(&scene, &toml::Table::new()).unwrap();
     let resources = Resources { simd: SimdPath::Portable, threads: 1 };
-    let text = serde_json::to_string(&config).unwrap();
     let (limits, checkpoint, keep) = (Limits::default(), None, None);
-    let task = Task { trunk: false, config: text, checkpoint, resources, keep, limits };
+    let posted = Posted::from(&config);
+    let task = Task { trunk: false, config: posted, checkpoint, resources, keep, limits };
     let mut answer = Vec::new();
     let task = postcard::to_stdvec(&task).unwrap();
     serve(&task[..], &mut answer, |_, _| FakeRunner::default()).unwrap();
