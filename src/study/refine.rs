@@ -3,7 +3,7 @@
 use toml::{Table, Value};
 
 use super::axis::GridAxis;
-use crate::keys::{Key, Section, hint, read_alone, section};
+use crate::keys::{Key, Section, read_alone, section};
 use crate::quantities::{Column, named, summary};
 use crate::scene::ConfigError;
 
@@ -42,9 +42,7 @@ impl Refine {
         if names.contains(&refine.quantity.as_str()) {
             return Ok(Some(refine));
         }
-        let hint = hint(&refine.quantity, &names);
-        let allowed = format!("must be one of {}{hint}", names.join(", "));
-        Err(ConfigError::new("grid.refine.quantity", format!("{:?}", refine.quantity), allowed))
+        Err(ConfigError::one_of("grid.refine.quantity", &refine.quantity.into(), &names))
     }
 
     /// The column.
