@@ -111,13 +111,10 @@ fn head(
     papers: Option<&str>,
 ) {
     let mut answers = answers::all(data, file);
-    if shown.is_part {
-        answers.push(answers::Answer { about: "Shown", text: selection::words(shown, data) });
-    }
-    let papers = papers.map(str::to_owned);
-    answers.extend(papers.map(|text| answers::Answer { about: "The papers", text }));
-    let answer = |answer: &answers::Answer| {
-        format!("<dt>{}</dt><dd>{}</dd>\n", answer.about, escape(&unbroken(&answer.text)))
+    answers.extend(shown.is_part.then(|| ("Shown", selection::words(shown, data))));
+    answers.extend(papers.map(|text| ("The papers", text.to_owned())));
+    let answer = |(about, text): &answers::Answer| {
+        format!("<dt>{about}</dt><dd>{}</dd>\n", escape(&unbroken(text)))
     };
     let list: String = answers.iter().map(answer).collect();
     writeln!(

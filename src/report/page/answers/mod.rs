@@ -16,14 +16,8 @@ pub use force::most;
 use crate::report::load::Loaded;
 use crate::report::scene_file::SceneFile;
 
-/// One answer: what it is about, in a word or two, and its sentences.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Answer {
-    /// What it is about.
-    pub about: &'static str,
-    /// What is said, as plain text.
-    pub text: String,
-}
+/// What an answer is about, in a word or two, and what is said, as plain text.
+pub type Answer = (&'static str, String);
 
 /// All that can be said.
 pub fn all(data: &Loaded, file: Option<&SceneFile>) -> Vec<Answer> {
@@ -42,8 +36,7 @@ pub fn all(data: &Loaded, file: Option<&SceneFile>) -> Vec<Answer> {
         ("Errors", errors::bars(data)),
         ("The aim", aim::met(data)),
     ];
-    let answer = |(about, text): (_, Option<String>)| Some(Answer { about, text: text? });
-    answers.into_iter().filter_map(answer).collect()
+    answers.into_iter().filter_map(|(about, text)| Some((about, text?))).collect()
 }
 
 #[cfg(test)]
@@ -54,7 +47,7 @@ mod tests {
     fn said(directory: &tempfile::TempDir) -> String {
         let data = Loaded::read(directory.path()).unwrap();
         let answers = all(&data, SceneFile::of(&data).as_ref());
-        answers.iter().map(|answer| format!("{}: {}\n", answer.about, answer.text)).collect()
+        answers.iter().map(|(about, text)| format!("{about}: {text}\n")).collect()
     }
 
     #[test]
@@ -108,12 +101,12 @@ mod tests {
         let (_directory, mut data) = fixture::read(fixture::sweep());
         data.rows.retain(|row| !row.is_ok());
         let told = all(&data, None);
-        assert_eq!(told.iter().map(|a| a.about).collect::<Vec<_>>(), ["What was run", "Failed"]);
-        assert!(told[0].text.ends_with("None came to its end."), "{}", told[0].text);
+        assert_eq!(told.iter().map(|a| a.0).collect::<Vec<_>>(), ["What was run", "Failed"]);
+        assert!(told[0].1.ends_with("None came to its end."), "{}", told[0].1);
         data.rows.clear();
         data.manifest = Some(serde_json::json!({ "cases": 4 }));
         let told = all(&data, None);
         assert_eq!(told.len(), 1);
-        assert_eq!(told[0].text, "4 cases. None is finished yet.");
+        assert_eq!(told[0].1, "4 cases. None is finished yet.");
     }
 }
