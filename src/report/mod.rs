@@ -48,7 +48,6 @@ pub use row::Row;
 pub use spoken::spoken;
 
 use load::Loaded;
-use papers::Papers;
 use tables::Lines;
 
 /// The page's file in an output directory.
@@ -80,8 +79,7 @@ pub fn write_with(
     let (figures_dir, tables_dir) = (out_dir.join("figures"), out_dir.join("tables"));
     make(&figures_dir)?;
     make(&tables_dir)?;
-    let theirs = papers.iter().flat_map(|papers| &papers.figures);
-    let drawn: Vec<_> = figures.iter().chain(theirs).collect();
+    let drawn: Vec<_> = figures.iter().chain(&papers.figures).collect();
     for figure in &drawn {
         redraw(figure, &figures_dir)?;
     }
@@ -100,16 +98,11 @@ pub fn write_with(
             *whole = lines.whole()?.part_of(whole);
         }
     }
-    for table in papers.iter().map(|papers| &papers.tidy) {
+    if let Some(table) = &papers.tidy {
         save(&tables_dir.join(format!("{}.csv", table.name)), &table.csv())?;
     }
-    let answer = papers.as_ref().map(|papers| papers.answer.clone());
-    let said = page::Papers {
-        answer: answer.or_else(|| papers::nearest(shown)),
-        content: papers.as_ref().map(Papers::section).unwrap_or_default(),
-    };
     let path = out_dir.join(PAGE);
-    save(&path, &page::page([&data, shown], &figures, &tables, &said)?)?;
+    save(&path, &page::page([&data, shown], &figures, &tables, &papers)?)?;
     let mut printed = Vec::new();
     for format in formats {
         let figures = drawn.iter().map(|figure| print(figure, *format, &figures_dir));
@@ -121,8 +114,8 @@ pub fn write_with(
         let names = printed_names(figure, &figures_dir).into_iter();
         names.chain([format!("{}.svg", figure.name)]).map(|name| format!("figures/{name}"))
     });
-    let theirs = papers.iter().map(|papers| &papers.tidy);
-    let tables = tables.iter().chain(theirs).map(|table| format!("tables/{}.csv", table.name));
+    let tables =
+        tables.iter().chain(&papers.tidy).map(|table| format!("tables/{}.csv", table.name));
     Ok(Written { page: path, printed, made: figures.chain(tables).collect() })
 }
 

@@ -19,6 +19,7 @@ use super::error::ReportError;
 use super::grid::grid;
 use super::load::Loaded;
 use super::markup::escape;
+use super::papers::Papers;
 use super::plots::{self, Figure};
 use super::scene_file::SceneFile;
 use super::selection;
@@ -41,15 +42,6 @@ pub const MOST_ROWS: usize = selection::WHOLE;
 /// A page that holds films has at most so many bytes, about; what does not fit is linked.
 const MOST: usize = 4_700_000;
 
-/// What the page says of the values that papers print.
-#[derive(Debug, Clone, Default)]
-pub struct Papers {
-    /// An answer at the page's top, as plain text; `None` where there is nothing to say.
-    pub answer: Option<String>,
-    /// The section, as HTML; empty where no case is one of theirs.
-    pub content: String,
-}
-
 /// The whole page: sentences of all cases, tables and figures of those that are shown.
 pub fn page(
     [data, shown]: [&Loaded; 2],
@@ -66,8 +58,9 @@ pub fn page(
         section(&mut body, &failed.title, &grid(&failed));
     }
     body.push_str(&figures::sections(figures));
-    if !papers.content.is_empty() {
-        section(&mut body, "The papers", &papers.content);
+    let theirs = papers.section();
+    if !theirs.is_empty() {
+        section(&mut body, "The papers", &theirs);
     }
     tabled(&mut rest, data, tables);
     if let Some(cost) = provenance::cost(data) {

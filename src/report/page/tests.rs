@@ -21,8 +21,8 @@ fn nothing_is_fetched() {
 #[test]
 fn the_papers_have_their_answer_and_their_section() {
     let data = Loaded::read(fixture::fixed().path()).unwrap();
-    let papers =
-        Papers { answer: Some("7 values < 3 % off.".to_owned()), content: "<p>a</p>".to_owned() };
+    let (answer, sentences) = (Some("7 values < 3 % off.".to_owned()), vec!["a".to_owned()]);
+    let papers = Papers { answer, sentences, ..Papers::default() };
     let page = super::page([&data; 2], &[], &[], &papers).unwrap();
     assert!(page.contains("<dt>The papers</dt><dd>7 values &lt; 3\u{a0}% off.</dd>"));
     assert!(page.contains("<h2>The papers</h2>\n<p>a</p>"));

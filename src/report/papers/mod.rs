@@ -22,7 +22,6 @@ use crate::papers::{Printed, Read, printed, scenes};
 use crate::quantities::summary::FORCE_COUPLING;
 
 pub(super) use computed::{at, column, on_their_clock, step_time};
-pub use nearest::nearest;
 pub use sentences::{answer, method, sentences};
 pub use table::{beside, others, tidy};
 
@@ -120,42 +119,42 @@ pub fn confront<'a>(cases: &'a Cases<'a>) -> Result<Vec<Found<'a>>, ReportError>
     Ok(found)
 }
 
-/// What a study says of the papers.
-#[derive(Debug, Clone)]
+/// What a study says of the papers. Without a case of theirs it is no more than an answer, if that.
+#[derive(Debug, Clone, Default)]
 pub struct Papers {
     /// One line per number and case.
-    pub tidy: Table,
+    pub tidy: Option<Table>,
     /// The same for the page: the factors s beside one another.
-    pub beside: Table,
-    /// How far the numbers are, for the page's top.
-    pub answer: String,
+    pub beside: Option<Table>,
+    /// How far the numbers are, or where the nearest are, for the page's top.
+    pub answer: Option<String>,
     /// What agrees, what does not, and why.
     pub sentences: Vec<String>,
     /// Printed against computed.
     pub figures: Vec<Figure>,
 }
 
-/// What the study says of the papers; `None` where it has no case of theirs.
+/// What the study says of the papers.
 ///
 /// # Errors
 /// A file that cannot be read; a figure that cannot be drawn.
-pub fn papers(data: &Loaded) -> Result<Option<Papers>, ReportError> {
+pub fn papers(data: &Loaded) -> Result<Papers, ReportError> {
     let cases = Cases::of(data);
     let found = confront(&cases)?;
     if found.is_empty() {
-        return Ok(None);
+        return Ok(Papers { answer: nearest::nearest(data), ..Papers::default() });
     }
-    Ok(Some(Papers {
-        tidy: tidy(&found),
-        beside: beside(&found),
-        answer: answer(&found),
+    Ok(Papers {
+        tidy: Some(tidy(&found)),
+        beside: Some(beside(&found)),
+        answer: Some(answer(&found)),
         sentences: sentences(&found),
         figures: agreement::figure(&found).into_iter().collect(),
-    }))
+    })
 }
 
 impl Papers {
-    /// The section of the page.
+    /// The section of the page; empty where no case is one of theirs.
     pub fn section(&self) -> String {
         let mut text: String =
             self.sentences.iter().map(|said| format!("<p>{}</p>\n", escape(said))).collect();
@@ -163,7 +162,7 @@ impl Papers {
             let place = if figure.is_single() { Place::Alone } else { Place::Usual };
             text.push_str(&figure.inline(place));
         }
-        text + &grid(&self.beside)
+        text + &self.beside.as_ref().map(grid).unwrap_or_default()
     }
 }
 
@@ -211,7 +210,7 @@ mod tests {
             let directory = study(length, 50.0, 1.0);
             papers(&Loaded::read(directory.path()).unwrap()).unwrap()
         };
-        assert!(papers(2.5).is_some() && papers(3.0).is_none());
+        assert!(papers(2.5).tidy.is_some() && papers(3.0).tidy.is_none());
     }
 
     #[test]
