@@ -1,6 +1,7 @@
 //! What a list holds: its different items, how often each occurs, ends and middle of its numbers.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
+use std::hash::Hash;
 
 /// The different items, in the order of the first of each.
 pub fn different<T: PartialEq>(items: impl IntoIterator<Item = T>) -> Vec<T> {
@@ -27,6 +28,17 @@ pub fn tallied<T: PartialEq + Clone>(items: &[T]) -> Vec<(T, usize)> {
     let mut counted: Vec<_> = counted.collect();
     counted.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
     counted
+}
+
+/// The items of each key together, in the order of the first of each.
+pub fn grouped<K: Eq + Hash, T>(items: impl IntoIterator<Item = (K, T)>) -> Vec<Vec<T>> {
+    let (mut places, mut groups) = (HashMap::new(), Vec::<Vec<T>>::new());
+    for (key, item) in items {
+        let place = *places.entry(key).or_insert(groups.len());
+        groups.resize_with(groups.len().max(place + 1), Vec::new);
+        groups[place].push(item);
+    }
+    groups
 }
 
 /// The lowest and the highest number; `None` without any.
@@ -67,6 +79,7 @@ mod tests {
     fn the_most_frequent_come_first_and_equals_in_their_order() {
         assert_eq!(different(["b", "a", "b"]), ["b", "a"]);
         assert_eq!(tallied(&["b", "c", "a", "c"]), [("c", 2), ("b", 1), ("a", 1)]);
+        assert_eq!(grouped([("b", 1), ("a", 2), ("b", 3)]), [vec![1, 3], vec![2]]);
         assert_eq!(counts([2, 1, 2]).into_iter().collect::<Vec<_>>(), [(1, 1), (2, 2)]);
     }
 }

@@ -1,10 +1,9 @@
 //! A line of cases along an axis, and its boundaries.
 
-use std::collections::BTreeMap;
-
 use super::condition::{Comparison, Condition, Verdict};
 use super::{Basis, Boundary};
 use crate::math::bend::{self, Bend};
+use crate::math::lists::grouped;
 use crate::math::scale::Scale;
 use crate::report::load::Loaded;
 
@@ -18,18 +17,13 @@ pub(super) struct Stop {
 
 /// The cases that differ in one key alone, in the order of its values; groups in the grid's order.
 pub(super) fn lines(key: usize, scale: Scale, data: &Loaded) -> Vec<Vec<Stop>> {
-    let mut order: BTreeMap<Vec<&str>, usize> = BTreeMap::new();
-    let mut lines: Vec<Vec<Stop>> = Vec::new();
-    for row in 0..data.rows.len() {
-        let Ok(value) = data.keys[key].cells[row].parse::<f64>() else { continue };
+    let stop = |row: usize| {
+        let value = data.keys[key].cells[row].parse::<f64>().ok()?;
         let others = data.keys.iter().enumerate().filter(|(place, _)| *place != key);
-        let others = others.map(|(_, other)| &other.cells[row]).collect();
-        let line = *order.entry(others).or_insert_with(|| {
-            lines.push(Vec::new());
-            lines.len() - 1
-        });
-        lines[line].push(Stop { row, value, place: scale.place(value) });
-    }
+        let others: Vec<_> = others.map(|(_, other)| &other.cells[row]).collect();
+        Some((others, Stop { row, value, place: scale.place(value) }))
+    };
+    let mut lines = grouped((0..data.rows.len()).filter_map(stop));
     for line in &mut lines {
         line.sort_by(|a, b| a.value.total_cmp(&b.value));
     }

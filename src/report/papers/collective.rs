@@ -2,6 +2,7 @@
 //! stiffness.
 
 use super::Found;
+use crate::math::lists::grouped;
 use crate::papers::Printed;
 use crate::quantities::Column;
 use crate::quantities::summary::{
@@ -107,17 +108,10 @@ fn values<'a>(
 
 /// Cases of the same wave, mass and variant.
 fn groups<'a>(cases: &[Case<'a>]) -> Vec<Vec<Case<'a>>> {
-    let same = |a: &Row, b: &Row| {
-        a.variant == b.variant
-            && a.number(&WAVE_HEIGHT_RATIO) == b.number(&WAVE_HEIGHT_RATIO)
-            && a.number(&SEAWALL_MASS) == b.number(&SEAWALL_MASS)
-    };
-    let mut groups: Vec<Vec<Case>> = Vec::new();
-    for &case in cases {
-        match groups.iter_mut().find(|group| same(group[0].0, case.0)) {
-            Some(group) => group.push(case),
-            None => groups.push(vec![case]),
-        }
-    }
-    groups
+    let keyed = cases.iter().map(|&(row, config)| {
+        let place = [&WAVE_HEIGHT_RATIO, &SEAWALL_MASS];
+        let place = place.map(|column| row.number(column).map(f64::to_bits));
+        ((&row.variant, place), (row, config))
+    });
+    grouped(keyed)
 }

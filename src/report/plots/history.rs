@@ -2,12 +2,11 @@
 //! height with a few curves spread over the stiffnesses (or over the masses, where there is one
 //! stiffness), or over what else was swept; without, one figure of a few cases.
 
-use std::collections::HashMap;
-
 use super::look::Look;
 use super::marks::{said, shown_are, wave_said};
 use super::over_time::{self, Strip};
 use super::{COMBINATIONS, Figure, SERIES, file_name, left_out, of_variant};
+use crate::math::lists::grouped;
 use crate::math::words::counted;
 use crate::quantities::history::{DISPLACEMENT, FORCE, RUNUP};
 use crate::quantities::summary::{SEAWALL_MASS, SPRING_STIFFNESS, WAVE_HEIGHT_RATIO};
@@ -67,13 +66,7 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
 
 /// Cases of one wave that share a figure: those of a variant, or all where each is a variant of its own.
 fn groups(rows: Vec<&Row>) -> Vec<Vec<&Row>> {
-    let mut places: HashMap<&str, usize> = HashMap::new();
-    let mut groups: Vec<Vec<&Row>> = Vec::new();
-    for row in &rows {
-        let place = *places.entry(&row.variant).or_insert(groups.len());
-        groups.resize_with(groups.len().max(place + 1), Vec::new);
-        groups[place].push(row);
-    }
+    let groups = grouped(rows.iter().map(|row| (&row.variant, *row)));
     if groups.len() == rows.len() { vec![rows] } else { groups }
 }
 

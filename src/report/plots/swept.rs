@@ -10,6 +10,7 @@ use super::chart::{Chart, reach};
 use super::marks::{bounds, by, coupling, marks, picked, point};
 use super::sheet::{Drawing, PANELS};
 use super::{Figure, SERIES, of_variant};
+use crate::math::lists::grouped;
 use crate::math::scale::Scale;
 use crate::quantities::summary::{
     DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, OVERTOPPING_VOLUME, RUNUP_MAX,
@@ -117,32 +118,26 @@ pub fn holds(data: &Loaded, key: &Key, row: &Row) -> bool {
 /// The figures of every combination of what else was swept.
 pub fn figures(data: &Loaded, key: &Key) -> Vec<Figure> {
     let waves = spread(&distinct(data.rows.iter(), &WAVE_HEIGHT_RATIO), SERIES);
-    let cases = cases(data, key);
-    let mut groups: Vec<(String, Vec<Case>)> = Vec::new();
     let words: HashMap<_, _> = data.rows.iter().map(Row::id).zip(others(data, key)).collect();
-    for case in cases {
-        let words = &words[case.1.id()];
-        match groups.iter_mut().find(|(other, _)| other == words) {
-            Some((_, group)) => group.push(case),
-            None => groups.push((words.clone(), vec![case])),
-        }
-    }
+    let words = |(_, row): &Case| words[row.id()].as_str();
+    let groups = grouped(cases(data, key).into_iter().map(|case| (words(&case), case)));
     // Other depths at the paddle are others at the wall, too, and not in proportion.
     let of_file = StudyFile::of(data.manifest.as_ref());
     let over_beds = data.keys.iter().any(|key| key.name == BED)
         || of_file.is_some_and(|file| file.scene.contains_key(BED));
     let (_, heading) = measure(key);
     let mut figures = Vec::new();
-    for (words, mut group) in groups {
+    for mut group in groups {
+        let words = words(&group[0]);
         group.sort_by(|a, b| a.0.total_cmp(&b.0));
         let stem = format!("swept-{}", key.name.replace('_', "-"));
-        let name = file_name(&stem, &words);
+        let name = file_name(&stem, words);
         let along = (heading.as_str(), key.name.as_str());
         let Some(drawing) = drawing(along, &group, &WAVE_HEIGHT_RATIO, &waves) else { continue };
         let what = heading.split(", ").next().unwrap_or(&heading);
         figures.push(Figure {
             drawing,
-            title: format!("Responses against {what}{}", of_variant(&words)),
+            title: format!("Responses against {what}{}", of_variant(words)),
             caption: caption(&by_waves(what, &group, over_beds), &group) + &picked_waves(&group),
             name,
         });

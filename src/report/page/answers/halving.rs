@@ -1,8 +1,7 @@
 //! Which walls halve the force on the stiffest wall of the same wave.
 
-use std::collections::HashMap;
-
 use super::force::{column, most};
+use crate::math::lists::grouped;
 use crate::math::words::{counted, listed};
 use crate::quantities::summary::{SEAWALL_MASS, SPRING_STIFFNESS, WAVE_HEIGHT_RATIO};
 use crate::report::curves::distinct;
@@ -43,18 +42,13 @@ fn force(row: &Row) -> f64 {
 
 /// The cases by all that is swept but the wall, where a wall has another to be compared with.
 fn groups(data: &Loaded) -> Vec<Group<'_>> {
-    let (mut places, mut groups) = (HashMap::new(), Vec::<Vec<&Row>>::new());
-    for (index, row) in data.placed() {
+    let keyed = data.placed().map(|(index, row)| {
         let swept = data.keys.iter().filter(|key| !OF_THE_WALL.contains(&key.name.as_str()));
         let mut key: Vec<_> = swept.map(|key| &key.cells[index]).collect();
         key.extend([row.text(&WAVE_HEIGHT_RATIO), &*row.variant]);
-        let place = *places.entry(key).or_insert(groups.len());
-        if place == groups.len() {
-            groups.push(Vec::new());
-        }
-        groups[place].push(row);
-    }
-    groups.into_iter().filter_map(Group::of).collect()
+        (key, row)
+    });
+    grouped(keyed).into_iter().filter_map(Group::of).collect()
 }
 
 impl<'a> Group<'a> {
