@@ -63,16 +63,16 @@ pub(super) fn name_variants(rows: &mut [Row], swept: &[Key], grid: &[String]) {
     for (_, values) in &mut choices {
         *values = shorten(values);
     }
-    let name = |index: usize| {
-        let part = |(name, values): &(String, Cells)| format!("{name} = {}", &values[index]);
-        // A case without a key has an empty cell.
-        let has = |(_, values): &&(String, Cells)| !values[index].is_empty();
-        choices.iter().filter(has).map(part).collect::<Vec<_>>().join(", ")
-    };
-    let names: Cells = (0..rows.len()).map(name).collect();
+    let names: Cells = (0..rows.len()).map(|index| words(&choices, index)).collect();
     for (index, row) in rows.iter_mut().enumerate() {
         row.variant = names.shared(index);
     }
+}
+
+/// What a row has of these choices: `boundary = sfdi, kernel = gaussian`. One without a key has an empty cell.
+pub(super) fn words(choices: &[(String, Cells)], row: usize) -> String {
+    let has = choices.iter().filter(|(_, cells)| !cells[row].is_empty());
+    has.map(|(name, cells)| format!("{name} = {}", &cells[row])).collect::<Vec<_>>().join(", ")
 }
 
 /// Rounds numbers for the eye, unless that would make two of them one. Values that are long, or that the name

@@ -17,12 +17,11 @@ use crate::quantities::summary::{
     SEAWALL_MASS, WAVE_HEIGHT_RATIO,
 };
 use crate::quantities::{Column, heading};
-use crate::report::column::Cells;
 use crate::report::curves::{distinct, has_curve, responses, spread, variants};
 use crate::report::load::Loaded;
 use crate::report::row::Row;
 use crate::report::study::{Key, StudyFile};
-use crate::report::variant::{file_name, shorten};
+use crate::report::variant::{file_name, shorten, words};
 
 /// What is drawn, and what stands in for it where a case has no first impact. Of regular waves the latter is
 /// drawn of all cases.
@@ -118,9 +117,9 @@ pub fn holds(data: &Loaded, key: &Key, row: &Row) -> bool {
 /// The figures of every combination of what else was swept.
 pub fn figures(data: &Loaded, key: &Key) -> Vec<Figure> {
     let waves = spread(&distinct(data.rows.iter(), &WAVE_HEIGHT_RATIO), SERIES);
-    let words: HashMap<_, _> = data.rows.iter().map(Row::id).zip(others(data, key)).collect();
-    let words = |(_, row): &Case| words[row.id()].as_str();
-    let groups = grouped(cases(data, key).into_iter().map(|case| (words(&case), case)));
+    let others: HashMap<_, _> = data.rows.iter().map(Row::id).zip(others(data, key)).collect();
+    let of = |(_, row): &Case| others[row.id()].as_str();
+    let groups = grouped(cases(data, key).into_iter().map(|case| (of(&case), case)));
     // Other depths at the paddle are others at the wall, too, and not in proportion.
     let of_file = StudyFile::of(data.manifest.as_ref());
     let over_beds = data.keys.iter().any(|key| key.name == BED)
@@ -128,7 +127,7 @@ pub fn figures(data: &Loaded, key: &Key) -> Vec<Figure> {
     let (_, heading) = measure(key);
     let mut figures = Vec::new();
     for mut group in groups {
-        let words = words(&group[0]);
+        let words = of(&group[0]);
         group.sort_by(|a, b| a.0.total_cmp(&b.0));
         let stem = format!("swept-{}", key.name.replace('_', "-"));
         let name = file_name(&stem, words);
@@ -153,13 +152,8 @@ fn others(data: &Loaded, key: &Key) -> Vec<String> {
             && other.cells.different().nth(1).is_some()
     };
     let others = data.keys.iter().filter(varies);
-    let others: Vec<_> = others.map(|key| (&key.name, shorten(&key.cells))).collect();
-    let of_row = |row: usize| {
-        let has = |(_, cells): &&(&String, Cells)| !cells[row].is_empty();
-        let word = |(name, cells): &(&String, Cells)| format!("{name} = {}", &cells[row]);
-        others.iter().filter(has).map(word).collect::<Vec<_>>().join(", ")
-    };
-    (0..data.rows.len()).map(of_row).collect()
+    let others: Vec<_> = others.map(|key| (key.name.clone(), shorten(&key.cells))).collect();
+    (0..data.rows.len()).map(|row| words(&others, row)).collect()
 }
 
 /// What a caption says of the key, and of what curves are.
