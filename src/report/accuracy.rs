@@ -49,7 +49,7 @@ struct Line {
 /// `accuracy.csv`; `about` says what each case is. Returns the page's path.
 pub fn write(directory: &Path, about: &[(String, String)]) -> Result<PathBuf, ReportError> {
     let path = directory.join("accuracy.csv");
-    let (header, records) = read_records(&path)?;
+    let (header, records) = read_records(&path, false)?;
     demand(&path, &header, HEADER.into_iter())?;
     let lines: Vec<Line> = deserialize(&path, &header, &records)?;
     let figures = directory.join("figures");

@@ -178,16 +178,20 @@ fn read_manifest(path: &Path) -> Option<Value> {
     serde_json::from_slice(&std::fs::read(path).ok()?).ok()
 }
 
-pub(super) fn read(path: &Path) -> Result<Vec<u8>, ReportError> {
-    fs::read(path).map_err(|error| ReportError::Read { path: path.to_owned(), error })
-}
-
-pub(super) fn read_records(path: &Path) -> Result<(StringRecord, Vec<StringRecord>), ReportError> {
+/// The columns of a table and its rows. Where it is read `loosely`, cells beyond the columns are left out: directories of
+/// earlier versions have commas in a last column of words that nothing quotes.
+pub(super) fn read_records(
+    path: &Path,
+    loosely: bool,
+) -> Result<(StringRecord, Vec<StringRecord>), ReportError> {
     let wrong = |source| ReportError::Table { path: path.to_owned(), source };
-    let text = read(path)?;
-    let mut reader = csv::Reader::from_reader(text.as_slice());
+    let text =
+        fs::read(path).map_err(|error| ReportError::Read { path: path.to_owned(), error })?;
+    let mut reader = csv::ReaderBuilder::new().flexible(loosely).from_reader(text.as_slice());
     let header = reader.headers().map_err(wrong)?.clone();
-    let records = reader.records().collect::<Result<_, _>>().map_err(wrong)?;
+    let records = reader.records().map(|record| record.map_err(wrong));
+    let mut records = records.collect::<Result<Vec<_>, _>>()?;
+    records.iter_mut().for_each(|record| record.truncate(header.len()));
     Ok((header, records))
 }
 

@@ -8,7 +8,7 @@ use csv::StringRecord;
 use serde::Deserialize;
 
 use super::error::ReportError;
-use super::load::{Loaded, demand, deserialize, read, read_records};
+use super::load::{Loaded, demand, deserialize, read_records};
 use crate::quantities::{envelope, history};
 
 /// Values over time: of a history, or of a gauge.
@@ -97,7 +97,7 @@ impl Loaded {
     pub fn readings(&self, case_id: &str) -> Result<Vec<Reading>, ReportError> {
         let path = self.directory.join(format!("readings/{case_id}.csv"));
         self.omitted.read(&path, |path| {
-            let (header, records) = read_loosely(path)?;
+            let (header, records) = read_records(path, true)?;
             demand(path, &header, ["name", "value", "unit"].into_iter())?;
             deserialize(path, &header, &records)
         })
@@ -107,7 +107,7 @@ impl Loaded {
     pub fn envelope(&self, case_id: &str) -> Result<Vec<Pressed>, ReportError> {
         let path = self.directory.join(format!("envelopes/{case_id}.csv"));
         self.omitted.read(&path, |path| {
-            let (header, records) = read_records(path)?;
+            let (header, records) = read_records(path, false)?;
             demand(path, &header, envelope::ALL.iter().map(|column| column.name))?;
             deserialize(path, &header, &records)
         })
@@ -117,7 +117,7 @@ impl Loaded {
     fn columns(&self) -> Result<BTreeMap<String, [String; 2]>, ReportError> {
         let path = self.directory.join("probes/columns.csv");
         self.omitted.read(&path, |path| {
-            let (header, records) = read_loosely(path)?;
+            let (header, records) = read_records(path, true)?;
             demand(path, &header, ["name", "unit"].into_iter())?;
             let at = |name: &str| header.iter().position(|column| column == name);
             let cell = |record: &StringRecord, name| {
@@ -132,7 +132,7 @@ impl Loaded {
 
 /// The columns of a table over time.
 fn series(path: &Path, needed: &[&'static str]) -> Result<History, ReportError> {
-    let (header, records) = read_records(path)?;
+    let (header, records) = read_records(path, false)?;
     demand(path, &header, needed.iter().copied())?;
     let rows: Vec<Vec<Option<f64>>> = deserialize(path, &header, &records)?;
     let time = header.iter().position(|name| name == history::TIME.name).unwrap_or(0);
@@ -148,19 +148,6 @@ fn series(path: &Path, needed: &[&'static str]) -> Result<History, ReportError> 
     };
     let columns = header.iter().enumerate().filter(|(column, _)| *column != time);
     Ok(History(columns.map(series).collect()))
-}
-
-/// A table whose last column is told in words, in which directories of earlier versions have commas
-/// that nothing quotes: they end the cell, and what follows is left out.
-fn read_loosely(path: &Path) -> Result<(StringRecord, Vec<StringRecord>), ReportError> {
-    let wrong = |source| ReportError::Table { path: path.to_owned(), source };
-    let text = read(path)?;
-    let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(text.as_slice());
-    let header = reader.headers().map_err(wrong)?.clone();
-    let width = header.len();
-    let cut = |record: StringRecord| record.iter().take(width).collect::<StringRecord>();
-    let records = reader.records().map(|record| record.map(cut).map_err(wrong));
-    Ok((header, records.collect::<Result<_, _>>()?))
 }
 
 #[cfg(test)]
