@@ -1,6 +1,7 @@
 //! What the page's script works with, beside the tables that it reads from the page: which values
 //! of which swept keys a case has, its history for the eye, and its scene as a file.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 
 use serde_json::{Value, json};
@@ -21,8 +22,7 @@ const ROOM: usize = 1_400_000;
 /// The data as JSON that may stand inside a script's tags.
 pub fn data(loaded: &Loaded, file: Option<&SceneFile>) -> Result<String, ReportError> {
     let ids: Vec<_> = loaded.rows.iter().map(|row| row.id()).collect();
-    let keys = keys(loaded);
-    let keys: Vec<Value> = keys.iter().map(key).collect();
+    let keys: Vec<Value> = swept(loaded).iter().map(key).collect();
     let (histories, cut) = histories(loaded)?;
     let value = json!({
         "ids": ids,
@@ -35,9 +35,9 @@ pub fn data(loaded: &Loaded, file: Option<&SceneFile>) -> Result<String, ReportE
 }
 
 /// What was swept; without a manifest wave, stiffness and mass.
-fn keys(loaded: &Loaded) -> Vec<Key> {
+pub fn swept(loaded: &Loaded) -> Cow<'_, [Key]> {
     if !loaded.keys.is_empty() {
-        return loaded.keys.clone();
+        return Cow::from(&loaded.keys);
     }
     let cells = |column| loaded.rows.iter().map(move |row| row.text(column));
     let keys = PLACE.iter().map(|column| Key::new(column.name, cells(column)));

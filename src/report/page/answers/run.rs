@@ -3,12 +3,13 @@
 use crate::math::lists::{counts, rising};
 use crate::math::words::{counted, listed};
 use crate::quantities::summary::{PARTICLE_SPACING, REASON};
-use crate::quantities::{Column, heading, named};
+use crate::quantities::{heading, named};
 use crate::report::curves::distinct;
 use crate::report::load::Loaded;
 use crate::report::number;
+use crate::report::page::data::swept;
 use crate::report::page::words::range;
-use crate::report::row::{PLACE, Row};
+use crate::report::row::Row;
 use crate::report::scene_file::SceneFile;
 use crate::report::study::Key;
 
@@ -17,27 +18,10 @@ pub fn what(data: &Loaded, file: Option<&SceneFile>) -> String {
     let cases = data.rows.len() + data.left();
     // What waves and walls do not tell by themselves.
     let kind = file.and_then(SceneFile::kind).filter(|kind| *kind != "seawall");
-    let over: Vec<_> =
-        kind.map(|kind| kind.replace('-', " ")).into_iter().chain(swept(data)).collect();
+    let mut over: Vec<_> = kind.map(|kind| kind.replace('-', " ")).into_iter().collect();
+    over.extend(swept(data).iter().map(key));
     let over = if over.is_empty() { String::new() } else { format!(": {}", over.join("; ")) };
     format!("{}{over}.{} {}", counted(cases, "case"), spacing(data), ended(data, cases))
-}
-
-/// What was swept and over which values, a phrase per key.
-fn swept(data: &Loaded) -> Vec<String> {
-    if data.keys.is_empty() {
-        let told = |column: &&Column| {
-            let values = distinct(data.rows.iter(), column);
-            let words = || numbers(column.symbol, &values, column.unit.symbol());
-            (!values.is_empty()).then(words)
-        };
-        return PLACE.iter().filter_map(told).collect();
-    }
-    data.keys.iter().map(key).collect()
-}
-
-fn numbers(symbol: &str, values: &[f64], unit: &str) -> String {
-    format!("{symbol} = {}", range(values, unit))
 }
 
 /// A swept key: a range of numbers, or the words that it took.
@@ -46,7 +30,7 @@ fn key(key: &Key) -> String {
     let read: Option<Vec<f64>> = cells.iter().map(|cell| cell.parse().ok()).collect();
     if let Some(values) = read {
         let (symbol, unit) = symbol(&key.name);
-        return numbers(&symbol, &rising(values), &unit);
+        return format!("{symbol} = {}", range(&rising(values), &unit));
     }
     let words: Vec<String> = cells.into_iter().map(str::to_owned).collect();
     format!("{} = {}", symbol(&key.name).0, listed(&words))
