@@ -4,8 +4,8 @@ use rayon::prelude::*;
 
 use super::Study;
 use super::case::CaseId;
-use super::case_map::CaseMap;
 use crate::keys::Recent;
+use crate::math::lists::grouped;
 use crate::scene::CaseConfig;
 use crate::simulation::Cost;
 
@@ -83,21 +83,10 @@ impl Plan {
             let case = |&index| planned(study, index, branching, &cost, &mut known);
             indices.iter().map(case).collect::<Vec<_>>()
         });
-        let mut plan = Plan { trunks: Vec::new(), cases: Vec::with_capacity(wanted.len()) };
-        let mut groups: CaseMap<Vec<usize>> = CaseMap::default();
-        let mut order = Vec::new();
-        for (case, trunk) in chunks.collect::<Vec<_>>().into_iter().flatten() {
-            if let Some(key) = trunk {
-                let group = groups.entry(key).or_default();
-                if group.is_empty() {
-                    order.push(key);
-                }
-                group.push(plan.cases.len());
-            }
-            plan.cases.push(case);
-        }
-        for key in order {
-            let branches = groups.remove(&key).unwrap_or_default();
+        let (cases, trunks): (_, Vec<_>) = chunks.collect::<Vec<_>>().into_iter().flatten().unzip();
+        let mut plan = Plan { trunks: Vec::new(), cases };
+        let shared = trunks.into_iter().enumerate();
+        for branches in grouped(shared.filter_map(|(place, trunk)| Some((trunk?, place)))) {
             if branches.len() < 2 {
                 continue;
             }
