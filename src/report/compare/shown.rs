@@ -36,13 +36,10 @@ fn of(difference: Option<&Difference>) -> [String; 8] {
 /// The figure; none where no pair has a number of each.
 pub fn figure(comparison: &Comparison) -> Option<Figure> {
     let columns = COMPARED.iter().map(|(column, _)| *column).enumerate();
-    let charts: Vec<_> = columns.filter_map(|(at, column)| chart(comparison, at, column)).collect();
-    if charts.is_empty() {
-        return None;
-    }
+    let charts = columns.filter_map(|(at, column)| chart(comparison, at, column)).collect();
     let [a, b] = &comparison.names;
     Some(Figure {
-        drawing: Drawing::new(charts, Layout { columns: 3, size: (296.0, 236.0) }),
+        drawing: Drawing::filled(charts, Layout { columns: 3, size: (296.0, 236.0) })?,
         name: "compare".to_owned(),
         title: format!("{b} less {a}"),
         caption:

@@ -19,13 +19,9 @@ const PANELS: [(&[&str], Unit); 3] = [
 
 /// The figure; none where no size is compared.
 pub fn figure(found: &[Found]) -> Option<Figure> {
-    let charts: Vec<_> =
-        PANELS.iter().filter_map(|(names, unit)| chart(found, names, *unit)).collect();
-    if charts.is_empty() {
-        return None;
-    }
+    let charts = PANELS.iter().filter_map(|(names, unit)| chart(found, names, *unit)).collect();
     Some(Figure {
-        drawing: Drawing::new(charts, Layout { columns: 3, size: (296.0, 250.0) }),
+        drawing: Drawing::filled(charts, Layout { columns: 3, size: (296.0, 250.0) })?,
         name: "papers_agreement".to_owned(),
         title: "Printed and computed".to_owned(),
         caption: format!(

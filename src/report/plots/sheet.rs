@@ -51,6 +51,11 @@ impl Drawing {
         Drawing { charts, layout, bar: None }
     }
 
+    /// The same; `None` without any panel.
+    pub fn filled(charts: Vec<Chart>, layout: Layout) -> Option<Drawing> {
+        (!charts.is_empty()).then(|| Drawing::new(charts, layout))
+    }
+
     /// The drawing on one sheet or, where that were higher than `tallest` times its width, on several;
     /// each with the legend, and its width in pixels. Three panels in a row are drawn small, so that
     /// words are large enough on paper.

@@ -100,9 +100,6 @@ impl Slice {
             rows
         }];
         let charts = self.charts(&rows, &all, &shown);
-        if charts.is_empty() {
-            return None;
-        }
         let scale = if self.logarithmic { " X* stands on a logarithmic axis." } else { "" };
         let counts = picked(shown[0].len(), series.len(), self.curves)
             + &picked(shown[1].len(), held.len(), self.held);
@@ -118,7 +115,7 @@ impl Slice {
                 coupling(rows.iter().copied()),
             ),
             name: file_name(&format!("against-{}", self.name), variant),
-            drawing: Drawing::new(charts, PANELS),
+            drawing: Drawing::filled(charts, PANELS)?,
         })
     }
 

@@ -217,8 +217,7 @@ fn drawing(
         let what = if column.unit.is_ratio() { column.unit.axis() } else { &heading };
         Some(Chart::new((x.clone(), y), [title, what], [name, column.name], curves))
     };
-    let charts: Vec<_> = drawn(group).into_iter().filter_map(chart).collect();
-    (!charts.is_empty()).then_some(Drawing::new(charts, PANELS))
+    Drawing::filled(drawn(group).into_iter().filter_map(chart).collect(), PANELS)
 }
 
 #[cfg(test)]

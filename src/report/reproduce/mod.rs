@@ -44,8 +44,7 @@ struct Drawn {
 
 /// Panels of this outer size, so many in a row; nothing without panels.
 fn drawn(charts: Vec<Chart>, layout: Layout, caption: impl Into<String>) -> Option<Drawn> {
-    let any = !charts.is_empty();
-    any.then(|| Drawn { drawing: Drawing::new(charts, layout), caption: caption.into() })
+    Some(Drawn { drawing: Drawing::filled(charts, layout)?, caption: caption.into() })
 }
 
 /// What drawings are made from.
