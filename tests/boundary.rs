@@ -10,7 +10,7 @@ use seawall::pairs::Record;
 #[test]
 fn a_uniform_field_is_reproduced() {
     everywhere(|with| {
-        for ghost_gravity in [GhostGravity::InSum, GhostGravity::Falling, GhostGravity::AtMirror] {
+        for ghost_gravity in [GhostGravity::InSum, GhostGravity::AtMirror] {
             let moving = BodyMotion { velocity: 0.7, ..BodyMotion::default() };
             let mut basin = Basin::new(&lattice(0.4), [moving; 3]);
             with(&mut basin);
@@ -46,33 +46,52 @@ fn still_water_is_continued_exactly() {
     });
 }
 
+/// The pressures of all ghosts, by their numbers, in water that accelerates upwards so fast, m/s², and has this pressure.
+fn pressures(basin: &mut Basin, up: f64, exact: impl Fn(f64) -> f64) -> Vec<(usize, f64, f64)> {
+    basin.acceleration = [0.0, up];
+    let filled = basin.fill(|_, y| exact(y), |_, _| [0.0; 2]);
+    let told = basin.wet(&filled).map(|(g, _, [_, y], record)| (g, y, record[Record::PRESSURE]));
+    told.collect()
+}
+
 #[test]
 fn water_that_falls_along_the_walls_is_continued_exactly() {
     everywhere(|with| {
-        // From free fall to twice the weight. The bed holds the water: there it has none of its own.
+        let mut basin = Basin::new(&lattice(0.4), still());
+        with(&mut basin);
+        basin.rules.ghost_gravity = GhostGravity::Falling;
+        let beside = |basin: &Basin, g: usize| {
+            let reflection = basin.ghosts.reflection[g];
+            matches!(reflection, Reflection::Plane { normal: [nx, _] } if nx.abs() == 1.0)
+        };
+        // From free fall to twice the weight.
         for up in [-GRAVITY, -0.4 * GRAVITY, 0.7 * GRAVITY] {
-            let mut basin = Basin::new(&lattice(0.4), still());
-            with(&mut basin);
-            basin.rules.ghost_gravity = GhostGravity::Falling;
-            basin.acceleration = [0.0, up];
             let exact = |y: f64| DENSITY * (GRAVITY + up) * (2.0 * DEPTH - y);
-            let filled = basin.fill(|_, y| exact(y), |_, _| [0.0; 2]);
-            let rises = |g: usize| {
-                let reflection = basin.ghosts.reflection[g];
-                matches!(reflection, Reflection::Plane { normal: [nx, _] } if nx.abs() == 1.0)
-            };
-            let mut seen = 0;
-            for (g, _, [x, y], record) in basin.wet(&filled).filter(|ghost| rises(ghost.0)) {
-                seen += 1;
+            let told = pressures(&mut basin, up, exact);
+            let walls: Vec<_> = told.iter().filter(|(g, ..)| beside(&basin, *g)).collect();
+            assert!(walls.len() > 50, "{} ghosts beside the walls", walls.len());
+            for (g, y, pressure) in walls {
                 assert_close(
-                    record[Record::PRESSURE],
-                    exact(y),
+                    *pressure,
+                    exact(*y),
                     1e-8,
-                    &format!("ghost {g} at {x:.3}, {y:.3}"),
+                    &format!("ghost {g} at {y:.3}, {up} m/s²"),
                 );
             }
-            assert!(seen > 50, "{seen} ghosts beside the walls");
         }
+        // No water is lighter than in free fall, and none is heavier than twice.
+        let exact = |y: f64| DENSITY * GRAVITY * (DEPTH - y);
+        for bound in [-GRAVITY, GRAVITY] {
+            let [most, more] = [1.0, 3.0].map(|times| pressures(&mut basin, times * bound, exact));
+            assert_eq!(most, more);
+        }
+        // The bed carries it.
+        let [rests, falls] = [0.0, -GRAVITY].map(|up| pressures(&mut basin, up, exact));
+        for (rests, falls) in rests.iter().zip(&falls) {
+            let is_moved = (rests.2 - falls.2).abs() > 1e-9;
+            assert!(!is_moved || beside(&basin, rests.0), "ghost {} at {}", rests.0, rests.1);
+        }
+        assert!(rests != falls);
     });
 }
 

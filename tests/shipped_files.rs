@@ -64,7 +64,16 @@ fn names_are_the_files_own_and_differ() {
 #[test]
 fn same_answers_has_every_choice_and_every_scene() {
     let script = fs::read_to_string(root().join("scripts/same_answers")).unwrap();
-    let words: Vec<_> = script.split(|c: char| !c.is_ascii_alphanumeric() && c != '-').collect();
+    let words = |text: &str| -> Vec<String> {
+        let parts = text.split(|c: char| !c.is_ascii_alphanumeric() && c != '-');
+        parts.map(str::to_owned).collect()
+    };
+    // What a key is set to, as "scene.behind=floor" or as a list of the grid, which a variable may hold.
+    let set_to = |key: &str| -> Vec<String> {
+        let all = script.split_whitespace().filter_map(|word| word.split_once(&format!(".{key}=")));
+        let texts = all.map(|(_, text)| if text.contains('$') { script.as_str() } else { text });
+        texts.flat_map(words).collect()
+    };
     let scenes: String =
         files("sweeps/scenes").iter().map(|path| fs::read_to_string(path).unwrap()).collect();
     let of_scenes = Kind::ALL.iter().flat_map(|&kind| scene_keys(kind));
@@ -73,8 +82,8 @@ fn same_answers_has_every_choice_and_every_scene() {
         let default = (key.default)();
         let default = default.as_ref().and_then(Value::as_str);
         for name in names.iter().filter(|name| Some(**name) != default) {
-            let is_run =
-                words.contains(name) || scenes.contains(&format!("{} = {name:?}", key.name));
+            let is_run = set_to(key.name).iter().any(|word| word == name)
+                || scenes.contains(&format!("{} = {name:?}", key.name));
             assert!(is_run, "no run has {} = {name:?}", key.name);
         }
     }

@@ -7,11 +7,11 @@
 
 use super::exchange::Exchange;
 use super::ghosts::{Ghosts, Reflection};
-use super::plane::Plane;
 use super::rules::GhostGravity;
+use crate::body::Place;
 use crate::math::simd::LANES;
 
-/// Faces whose normal is no steeper than this, over x, rise. Beds, floors and tops of crests carry the water.
+/// A face rises if its normal has at least this part along x. Floors and tops of crests carry the water, as beds do.
 const RISES: f64 = 0.45;
 
 impl Exchange {
@@ -23,17 +23,14 @@ impl Exchange {
     /// What the water's own acceleration along a face adds to the head from its mean place around a target to another
     /// one, so far away, m²/s². It is no lighter than in free fall, and no more than twice as heavy as at rest.
     pub(super) fn falling(&self, ghosts: &Ghosts, target: usize, [x, y]: [f64; 2]) -> f64 {
-        if !self.asks_for_accelerations() {
+        let body = ghosts.target_body[target / LANES] as usize;
+        if !self.asks_for_accelerations() || body == Place::Bed.number() {
             return 0.0;
         }
         let normal = match ghosts.reflection.get(target) {
             Some(Reflection::Plane { normal }) => *normal,
             Some(Reflection::Corner) => return 0.0,
-            None => {
-                let body = ghosts.target_body[target / LANES] as usize;
-                let Plane { normal, .. } = ghosts.bodies[body].plane;
-                normal
-            }
+            None => ghosts.bodies[body].plane.normal,
         };
         let [nx, ny] = normal;
         if nx.abs() < RISES {

@@ -9,7 +9,8 @@ use super::{
 };
 use crate::execute::{Launcher, SphRunner, apart, widest_simd};
 
-/// Declares them. `sweep` stands apart, as all ranks of a launcher join in it; so do those without a file.
+/// Declares them. `sweep` stands apart, as all ranks of a launcher join in it; so do `apart`, and those that
+/// share `completions.rs`.
 macro_rules! commands {
     ($($name:ident($file:ident::$args:ident), computes $computes:expr;)+) => {
         #[derive(Debug, Subcommand)]

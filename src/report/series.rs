@@ -179,4 +179,17 @@ mod tests {
         let told = data.gauges("case-0000").unwrap_err().to_string();
         assert!(told.contains("case-0000.csv") && told.contains("P1"), "{told}");
     }
+
+    #[test]
+    fn a_reading_that_is_no_number_is_named_with_its_place() {
+        let directory = fixture::dam_breaks(1);
+        let path = directory.path().join("readings/case-0000.csv");
+        std::fs::write(&path, "name,value,unit\nmass,1,kg\nfront,high,m\n").unwrap();
+        let told = Loaded::read(directory.path()).unwrap().readings("case-0000").unwrap_err();
+        let told = told.to_string();
+        assert!(
+            ["case-0000.csv", "line 3", "value"].iter().all(|part| told.contains(part)),
+            "{told}"
+        );
+    }
 }

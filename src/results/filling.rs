@@ -150,7 +150,8 @@ pub(super) struct Filled {
     pub found: Vec<CaseFiles>,
     /// Cases whose files are damaged or missing.
     pub owed: BTreeSet<CaseId>,
-    /// A sum over what the system tells of all files; `None` of a small study, and where it does not tell.
+    /// A sum over what the system tells of all files; `None` of a small study, and where a file is missing or not as
+    /// long as it was.
     pub stamps: Option<u64>,
     /// Whether what an earlier process has noted still holds.
     pub is_noted: bool,

@@ -1,9 +1,9 @@
 //! The files of a case as the system knows them: by that a change shows without a look into them.
 
-use std::fs::File;
+use std::os::fd::OwnedFd;
 use std::path::{Path, PathBuf};
 
-use rustix::fs::{AtFlags, statat};
+use rustix::fs::{AtFlags, Mode, OFlags, statat};
 
 use super::files::{self, FOLDERS};
 use super::left::{self, Folders};
@@ -62,12 +62,15 @@ impl CaseFiles {
 }
 
 /// The folders of a study's files, open, those that there are: to look up a file from the root on takes a fifth longer.
-pub(super) struct OpenFolders([Option<File>; FOLDERS.len()]);
+pub(super) struct OpenFolders([Option<OwnedFd>; FOLDERS.len()]);
 
 impl OpenFolders {
     /// Those of a directory.
     pub(super) fn of(directory: &Path) -> OpenFolders {
-        OpenFolders(FOLDERS.map(|name| File::open(directory.join(name)).ok()))
+        // Of a pipe in a folder's place nothing is waited for.
+        let flags = OFlags::DIRECTORY | OFlags::CLOEXEC;
+        let open = |name| rustix::fs::open(directory.join(name), flags, Mode::empty()).ok();
+        OpenFolders(FOLDERS.map(open))
     }
 }
 

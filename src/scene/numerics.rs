@@ -100,7 +100,8 @@ section! {
         /// Largest Σ|w_j| of the weights that may be used, before a simpler method stands in.
         amplification_limit: f64 = AMPLIFICATION_LIMIT, plain().within(1.0, 1e6)
             .read_where("boundary", &["sfdi", "mls-linear", "mls-quadratic"]);
-        /// Placement of the ghosts' pressure correction.
+        /// What gravity makes of a ghost's pressure. `falling` takes the water's own acceleration along walls off it. Wave
+        /// trains have that by default.
         ghost_gravity: GhostGravity = GhostGravity::InSum, weakly(plain());
         /// Tangential condition at walls.
         slip: Slip = Slip::Free, weakly(plain());
