@@ -83,7 +83,10 @@ fn water_that_falls_along_the_walls_is_continued_exactly() {
         let exact = |y: f64| DENSITY * GRAVITY * (DEPTH - y);
         for bound in [-GRAVITY, GRAVITY] {
             let [most, more] = [1.0, 3.0].map(|times| pressures(&mut basin, times * bound, exact));
-            assert_eq!(most, more);
+            assert_eq!(most.len(), more.len());
+            for ((g, y, most), (.., more)) in most.into_iter().zip(more) {
+                assert_close(most, more, 1e-8, &format!("ghost {g} at {y:.3}, {bound} m/s²"));
+            }
         }
         // The bed carries it.
         let [rests, falls] = [0.0, -GRAVITY].map(|up| pressures(&mut basin, up, exact));
