@@ -152,7 +152,7 @@ fn ghost_pass(interpolator: InterpolatorChoice, spacing: f64) -> f64 {
         records: &water,
         pressure: &pressure,
         correction: Some([&ones; 3]),
-        acceleration: None,
+        acceleration: [&ones; 2],
     };
     let mut records = vec![Record::default(); ghosts.len()];
     let mut numbers = vec![Factors::default(); ghosts.len()];

@@ -66,12 +66,11 @@ impl Exchange {
         if self.scale[block][lane] == 0.0 {
             return 0.0;
         }
-        let (rules, means) = (&self.rules, &self.means[block]);
-        let mean = means.pressure[lane];
-        let density = rules.surface_density + mean / (rules.sound_speed * rules.sound_speed);
+        let means = &self.means[block];
         let x = ghosts.target_x[face] + motion.offset - means.x[lane];
         let y = ghosts.target_y[face] - means.y[lane];
         let falling = self.falling(ghosts, from, [x, y]);
-        mean - density * (rules.gravity * y + motion.acceleration * x + falling)
+        let head = self.rules.gravity * y + motion.acceleration * x + falling;
+        means.pressure[lane] - self.density(from) * head
     }
 }

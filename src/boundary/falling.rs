@@ -15,24 +15,18 @@ use crate::math::simd::LANES;
 const RISES: f64 = 0.45;
 
 impl Exchange {
-    /// Whether the ghosts ask for the water's accelerations.
-    pub fn asks_for_accelerations(&self) -> bool {
-        self.rules.ghost_gravity == GhostGravity::Falling
-    }
-
     /// What the water's own acceleration along a face adds to the head from its mean place around a target to another
     /// one, so far away, m²/s². It is no lighter than in free fall, and no more than twice as heavy as at rest.
     pub(super) fn falling(&self, ghosts: &Ghosts, target: usize, [x, y]: [f64; 2]) -> f64 {
         let body = ghosts.target_body[target / LANES] as usize;
-        if !self.asks_for_accelerations() || body == Place::Bed.number() {
+        if self.rules.ghost_gravity != GhostGravity::Falling || body == Place::Bed.number() {
             return 0.0;
         }
-        let normal = match ghosts.reflection.get(target) {
+        let [nx, ny] = match ghosts.reflection.get(target) {
             Some(Reflection::Plane { normal }) => *normal,
             Some(Reflection::Corner) => return 0.0,
             None => ghosts.bodies[body].plane.normal,
         };
-        let [nx, ny] = normal;
         if nx.abs() < RISES {
             return 0.0;
         }

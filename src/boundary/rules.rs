@@ -69,5 +69,6 @@ pub(super) fn targets<'a>(
         first: own.start,
         blocks: own.start.max(blocks.start)..own.end.min(blocks.end),
         at_ghost: rules.interpolator.at_ghost(),
+        falling: rules.ghost_gravity == GhostGravity::Falling,
     }
 }

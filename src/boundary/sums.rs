@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::Interpolator;
 use super::ghosts::Ghosts;
-use super::weighing::{Stencil, Weighing};
+use super::weighing::{Stencil, Weighing, weighted};
 use crate::body::BodyMotion;
 use crate::kernel::{Kernel, KernelChoice};
 use crate::math::simd::{LANES, Lanes, Task};
@@ -18,7 +18,7 @@ pub(super) struct Means {
     pub y: [f64; LANES],
     pub vx: [f64; LANES],
     pub vy: [f64; LANES],
-    /// Along x and up, m/s².
+    /// Along x and up, m/s²; zero where ghosts do not ask for it.
     pub acceleration: [[f64; LANES]; 2],
     /// Of the kernel gradient's correction: xx, xy, yy.
     pub correction: [[f64; LANES]; 3],
@@ -33,8 +33,8 @@ pub struct Water<'a> {
     pub pressure: &'a [f64],
     /// Corrections of the kernel gradient (xx, xy, yy), where the scheme has them.
     pub correction: Option<[&'a [f64]; 3]>,
-    /// Accelerations of the step before, along x and up, m/s², where ghosts ask for them.
-    pub acceleration: Option<[&'a [f64]; 2]>,
+    /// Accelerations of the step before, along x and up, m/s².
+    pub acceleration: [&'a [f64]; 2],
 }
 
 /// Some blocks of targets with what is around them.
@@ -51,6 +51,8 @@ pub(super) struct Targets<'a> {
     pub blocks: Range<usize>,
     /// The ghosts themselves rather than their mirror points.
     pub at_ghost: bool,
+    /// The water's acceleration is asked for, too.
+    pub falling: bool,
 }
 
 impl<'a> Targets<'a> {
@@ -138,7 +140,7 @@ impl<I: Interpolator> Task for Weigh<'_, I> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        let Targets { water, scaling, first, .. } = self.targets;
+        let Targets { water, scaling, first, falling, .. } = self.targets;
         for block in self.targets.blocks.clone() {
             let row = block - first;
             let (neighbours, weights) = self.held.room(row);
@@ -152,7 +154,12 @@ impl<I: Interpolator> Task for Weigh<'_, I> {
             if I::SIGNED {
                 fallback.store(&mut self.fallen[row]);
             }
-            self.means[row] = gather::<L, I>(self.held.of(row), water, scale, scaling);
+            let held = self.held.of(row);
+            self.means[row] = gather::<L, I>(held, water, scale, scaling);
+            if falling {
+                let mean = |all| (weighted::<L>(held, all) * scale).to_array();
+                self.means[row].acceleration = water.acceleration.map(mean);
+            }
         }
     }
 }
@@ -204,15 +211,6 @@ fn gather<L: Lanes, I: Interpolator>(
         vx = weight.mul_add(L::splat(record[Record::VX]), vx);
         vy = weight.mul_add(L::splat(record[Record::VY]), vy);
     }
-    let acceleration = water.acceleration.map_or([zero; 2], |all| {
-        let weighted = |all: &[f64]| {
-            let of_one = |sum: L, (&j, weight): (&u32, &[f64; LANES])| {
-                L::load(weight).mul_add(L::splat(all[j as usize]), sum)
-            };
-            neighbours.iter().zip(weights).fold(zero, of_one) * scale
-        };
-        all.map(weighted)
-    });
     let mut correction = [[1.0; LANES], [0.0; LANES], [1.0; LANES]];
     if let Some([all_xx, all_xy, all_yy]) = water.correction {
         let (mut xx, mut xy, mut yy) = (zero, zero, zero);
@@ -243,7 +241,7 @@ fn gather<L: Lanes, I: Interpolator>(
         y: (y * to_metres).to_array(),
         vx: (vx * scale).to_array(),
         vy: (vy * scale).to_array(),
-        acceleration: acceleration.map(L::to_array),
+        acceleration: Default::default(),
         correction,
     }
 }

@@ -103,3 +103,15 @@ impl<L: Lanes> Totals<L> {
 pub(super) fn choose<L: Lanes>(chosen: L, new: L, old: L) -> L {
     L::splat(0.5).select_less(chosen, new, old)
 }
+
+/// The weighted sum of a field of the water.
+#[inline(always)]
+pub(super) fn weighted<L: Lanes>(
+    (neighbours, weights): (&[u32], &[[f64; LANES]]),
+    field: &[f64],
+) -> L {
+    let of_one = |sum: L, (&j, weight): (&u32, &[f64; LANES])| {
+        L::load(weight).mul_add(L::splat(field[j as usize]), sum)
+    };
+    neighbours.iter().zip(weights).fold(L::splat(0.0), of_one)
+}

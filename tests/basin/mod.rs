@@ -153,7 +153,7 @@ impl Basin {
         let places = (&*strips, &fluid.x[..len], &fluid.y[..len]);
         exchange.rebuild(*path, ghosts, bodies, places, 1.2 * RADIUS);
         let all = acceleration.map(|along| vec![along; fluid.padded_len()]);
-        let acceleration = Some(all.each_ref().map(Vec::as_slice));
+        let acceleration = all.each_ref().map(Vec::as_slice);
         let read = Water { records: &water, pressure: &pressures, correction: None, acceleration };
         exchange.weigh(*path, ghosts, bodies, read);
         let mut records = vec![Record::default(); ghosts.len()];

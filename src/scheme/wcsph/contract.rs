@@ -102,8 +102,7 @@ impl Scheme for Wcsph {
     }
 
     fn face_force(&mut self, body: usize, motion: &BodyMotion) -> f64 {
-        let falling = self.exchange.asks_for_accelerations();
-        let fluid = self.work.water(&self.records[..self.fluid.padded_len()], false, falling);
+        let fluid = self.work.water(&self.records[..self.fluid.padded_len()], false);
         let motion = BodyMotion { offset: self.held_bodies[body].offset, ..*motion };
         self.exchange.face_force(self.pairs.path, &self.ghosts, body, &motion, fluid)
     }

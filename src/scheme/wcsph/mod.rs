@@ -153,10 +153,10 @@ impl Workspace {
     }
 
     /// What the ghosts read of the water.
-    fn water<'a>(&'a self, records: &'a [Record], corrected: bool, falling: bool) -> Water<'a> {
+    fn water<'a>(&'a self, records: &'a [Record], corrected: bool) -> Water<'a> {
         let correction = corrected.then(|| self.carried.correction());
-        let last = || [&*self.carried.last_acceleration_x, &self.carried.last_acceleration_y];
-        Water { records, pressure: &self.pressure, correction, acceleration: falling.then(last) }
+        let acceleration = [&*self.carried.last_acceleration_x, &self.carried.last_acceleration_y];
+        Water { records, pressure: &self.pressure, correction, acceleration }
     }
 
     /// The kernel gradient's correction: xx, xy, yy.

@@ -55,8 +55,7 @@ impl Wcsph {
         self.pack();
         self.phases.lap("integration", &mut clock);
         let (fluid_records, ghost_records) = self.records.split_at_mut(self.fluid.padded_len());
-        let falling = self.exchange.asks_for_accelerations();
-        let fluid = self.work.water(fluid_records, self.options.corrected_gradients, falling);
+        let fluid = self.work.water(fluid_records, self.options.corrected_gradients);
         let bodies = &self.held_bodies;
         self.exchange.weigh(self.pairs.path, &self.ghosts, bodies, fluid);
         self.exchange.fill(self.pairs.path, &self.ghosts, bodies, self.responds, ghost_records);
