@@ -35,8 +35,10 @@ pub fn grouped<K: Eq + Hash, T>(items: impl IntoIterator<Item = (K, T)>) -> Vec<
     let (mut places, mut groups) = (HashMap::new(), Vec::<Vec<T>>::new());
     for (key, item) in items {
         let place = *places.entry(key).or_insert(groups.len());
-        groups.resize_with(groups.len().max(place + 1), Vec::new);
-        groups[place].push(item);
+        match groups.get_mut(place) {
+            Some(group) => group.push(item),
+            None => groups.push(vec![item]),
+        }
     }
     groups
 }
