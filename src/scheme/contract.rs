@@ -24,9 +24,9 @@ pub enum SchemeState {
     Isph(Box<IsphState>),
 }
 
-/// Equations of motion of the water between bodies, a step cut in two: [`Scheme::prepare`] finds
-/// the forces at the old places, the caller settles the motion of walls, [`Scheme::finish`] moves
-/// the water.
+/// The equations of motion of the water between bodies. A step is in two halves.
+/// [`Scheme::prepare`] finds the forces at the old positions. The caller then finds the motion of
+/// the walls. [`Scheme::finish`] moves the water.
 pub trait Scheme: Debug + Send {
     /// The water.
     fn fluid(&self) -> &Fluid;
@@ -37,7 +37,8 @@ pub trait Scheme: Debug + Send {
     /// Smoothing kernel and its support radius, metres.
     fn kernel(&self) -> (KernelChoice, f64);
 
-    /// Pressures of the particles, Pa: those of the last [`Scheme::prepare`], and since then [`Scheme::settle`].
+    /// Pressures of the particles, Pa, from the last [`Scheme::prepare`], or from
+    /// [`Scheme::settle`] once that was called.
     fn pressures(&self) -> &[f64];
 
     /// Rates of change of the particles' densities in the last step, kg/m³/s; none where the water is
@@ -49,81 +50,81 @@ pub trait Scheme: Debug + Send {
     /// The state equation; none where the water is incompressible.
     fn state_equation(&self) -> Option<&StateEquation>;
 
-    /// The force towards a centre that it lies in, if any.
+    /// The central force field in which the water lies, if any.
     fn field(&self) -> Option<CentralField> {
         None
     }
 
-    /// Elastic energy of the water, J per metre of width, as far as it can do work.
+    /// Elastic energy of the water that can do work, J per metre of width.
     fn elastic_energy(&self) -> f64 {
         0.0
     }
 
-    /// What has left over a crest.
+    /// The water that has left over a crest.
     fn taken(&self) -> Taken {
         Taken::default()
     }
 
-    /// Longest step that the water as it is allows, seconds.
+    /// The longest step that the present state of the water allows, seconds.
     fn step_limit(&self) -> f64 {
         f64::INFINITY
     }
 
-    /// Takes on threads to share each step's work from the first step on. The answer is the same,
-    /// bit for bit; a scheme that cannot share its work leaves them alone.
+    /// Hands over threads that share the work of each step, from the first step on. The answer is
+    /// the same, bit for bit. A scheme that cannot share its work does not use them.
     fn take_on(&mut self, _team: &Team) {}
 
-    /// First half of a step of `dt` seconds. `bodies` are the motions at this instant; the
+    /// First half of a step of `dt` seconds. `bodies` are the motions at the start of the step. The
     /// acceleration of the responding body is not used.
     fn prepare(&mut self, bodies: &[BodyMotion], dt: f64) -> Result<(), StepError>;
 
-    /// Finds how force and water respond to the responding body's acceleration; asked for after
-    /// [`Scheme::prepare`] in those steps in which that body may move.
+    /// Finds how force and water respond to the responding body's acceleration. It is called after
+    /// [`Scheme::prepare`], in steps in which that body may move.
     fn respond(&mut self, _dt: f64) -> Result<(), StepError> {
         Ok(())
     }
 
-    /// Takes up the responding body's acceleration once it is known: pressures that are read from then on count
-    /// it. [`Scheme::finish`] is told the same.
+    /// Takes the responding body's acceleration once it is known. Pressures that are read from then
+    /// on include its effect. [`Scheme::finish`] is given the same acceleration.
     fn settle(&mut self, _acceleration: f64) {}
 
-    /// Whether a step's forces are those at its start and its velocities go from the middle of the step
-    /// before to its own: kick and drift. Otherwise forces are the mean over the step.
+    /// Whether a step is kick and drift: its forces are those at its start, and velocities are
+    /// those of mid-steps. Otherwise forces are the mean over the step.
     fn kicks(&self) -> bool {
         true
     }
     /// Force on a body and its added mass, from the last [`Scheme::prepare`].
     fn load(&self, body: usize) -> Load;
 
-    /// Second half of the step, and what can be done of the next: this step's loads, pressures and
-    /// levels are to be read before. With `sample` all powers are summed.
+    /// Second half of the step, and whatever can already be done of the next step. So loads,
+    /// pressures and levels of this step must be read before. With `sample` all powers are summed.
     fn finish(&mut self, dt: f64, walls: &StepWalls<'_>, sample: bool) -> Dissipation;
 
     /// Level of the water at an upright body, metres above the bed.
     fn level_at(&self, body: usize) -> f64;
 
-    /// Level of the free surface at x, metres above the bed, looked for upwards from `from`; upright walls
-    /// mirror the water.
+    /// Level of the free surface at x, metres above the bed. The search goes upwards from `from`.
+    /// Upright walls mirror the water.
     fn level_in_water(&mut self, x: f64, from: f64) -> f64;
 
     /// Force on a body by integrating the interpolated pressure over its face, N per metre.
     fn face_force(&mut self, body: usize, motion: &BodyMotion) -> f64;
 
-    /// The water's pressure at the points of a body's face, Pa, in their order; 0 where it is dry. Cheap
+    /// The water's pressure at each point of a body's face, Pa; 0 where the point is dry. Cheap
     /// enough for every step.
     fn face_pressures(&mut self, body: usize, motion: &BodyMotion, pressures: &mut Vec<f64>);
 
-    /// How many times neighbours have been listed anew, where lists outlast a step.
+    /// How many times neighbours have been listed again, where lists outlast a step.
     fn list_rebuilds(&self) -> u64 {
         0
     }
 
-    /// Whether the state ahead of the coming step can be kept; within a few steps it can.
+    /// Whether the state before the coming step can be stored. If not, it can within a few steps.
     fn can_be_kept(&self) -> bool {
         true
     }
 
-    /// Slows the water down to this share of its velocity, between two full steps.
+    /// Multiplies the velocities by this share, between two full steps.
     fn slow_down(&mut self, _share: f64) {}
 
     /// What must be kept.
@@ -135,8 +136,8 @@ pub trait Scheme: Debug + Send {
     /// Pair interactions evaluated so far.
     fn pair_evaluations(&self) -> u64;
 
-    /// How many times a ghost was filled with what a simpler interpolation than the chosen one
-    /// gave; none where the scheme's walls take no interpolation.
+    /// How many times a ghost was filled by a simpler interpolation than the chosen one. Zero where
+    /// the scheme's walls use no interpolation.
     fn boundary_fallbacks(&self) -> u64 {
         0
     }

@@ -11,7 +11,7 @@ use crate::body::BodyMotion;
 pub struct Load {
     /// Along x, N per metre of width; for the responding body with its acceleration left out.
     pub force: f64,
-    /// What its own acceleration takes off that force: F = `force` - `added_mass` a.
+    /// What the body's own acceleration takes off that force: F = `force` - `added_mass` a.
     pub added_mass: f64,
 }
 
@@ -26,7 +26,8 @@ pub struct StepWalls<'a> {
     pub next: NextStep<'a>,
 }
 
-/// The step after this one: what the next [`Scheme::prepare`](super::Scheme::prepare) will be told.
+/// The step after this one: what will be given to the next
+/// [`Scheme::prepare`](super::Scheme::prepare).
 #[derive(Debug, Clone, Copy)]
 pub struct NextStep<'a> {
     /// Motions at its start.
@@ -42,12 +43,13 @@ pub struct Dissipation {
     pub viscous_power: f64,
     /// Power lost to density diffusion, where it was asked for.
     pub diffusion_power: f64,
-    /// Energy taken out over the step by all else: shifting, volume feedback, settling at the surface, and walls that
-    /// hold water back. In incompressible water the pressure where water meets is among it.
+    /// Energy taken out over the step by all else: shifting, volume feedback, settling at the
+    /// surface, and walls that hold water back. In incompressible water it includes the work of
+    /// pressure where water meets.
     pub shifting_work: f64,
 }
 
-/// Water that has been taken away, per metre of width.
+/// Water that was taken away, per metre of width.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Taken {
     /// Particles.
@@ -63,7 +65,7 @@ pub struct Taken {
 pub struct SolverSummary {
     /// Iterations, of all solves of a step together.
     pub iterations_per_step: f64,
-    /// Largest residual that a solve was left with, over its right-hand side.
+    /// Largest residual at the end of a solve, relative to its right-hand side.
     pub worst_residual: f64,
     /// Largest root mean square, over the interior, of Δt ∇·u.
     pub worst_divergence: f64,
@@ -76,12 +78,12 @@ pub struct SolverSummary {
 pub struct Phases<const N: usize>([(&'static str, f64); N]);
 
 impl<const N: usize> Phases<N> {
-    /// Nothing is spent yet.
+    /// No time is spent yet.
     pub fn new(names: [&'static str; N]) -> Phases<N> {
         Phases(names.map(|name| (name, 0.0)))
     }
 
-    /// Books the time since the clock was last looked at.
+    /// Adds the time since `clock` to a phase, and resets `clock`.
     pub fn lap(&mut self, phase: &str, clock: &mut Instant) {
         let before = std::mem::replace(clock, Instant::now());
         if let Some((_, seconds)) = self.0.iter_mut().find(|(name, _)| *name == phase) {
@@ -89,7 +91,7 @@ impl<const N: usize> Phases<N> {
         }
     }
 
-    /// All of them.
+    /// All phases.
     pub fn told(&self) -> Vec<(&'static str, f64)> {
         self.0.to_vec()
     }
@@ -99,7 +101,7 @@ impl<const N: usize> Phases<N> {
 #[expect(missing_docs, reason = "fields are called what they are")]
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum StepError {
-    /// The pressure equation was not solved: residuals are over the right-hand side.
+    /// The pressure equation was not solved. Residuals are relative to the right-hand side.
     #[error(
         "the pressure equation stands at a residual of {residual:.1e} after {iterations} iterations, bound {bound:.1e}"
     )]

@@ -7,17 +7,19 @@ use super::system::System;
 use crate::math::simd::LANES;
 use crate::pairs::{Coupling, Here, Near, Pair, Real};
 
-/// Share of the diagonal that is added so that no part of the water is without hold.
+/// This share of the diagonal is added to it, so that parts of the water without a held pressure
+/// stay solvable.
 const HOLD: f64 = 1e-8;
 
-/// 2 V_i V_j F of Liang et al. 2017, Eq. 4, or what a Laplacian makes of it. F = -g, Δ = r_j - r_i.
+/// The pair weight 2 V_i V_j F of Liang et al. 2017, Eq. 4, or its form in another Laplacian. F =
+/// -g, Δ = r_j - r_i.
 #[derive(Clone, Copy)]
 struct Compact<'a> {
     /// V_i, padded.
     volume: &'a [f64],
-    /// Least V_i V_j F of a pair that is taken, and what it is scaled by, where not all are.
+    /// Where only near pairs are taken: the least V_i V_j F of such a pair, and the factor on it.
     narrow: Option<(f64, f64)>,
-    /// L s of every particle, padded, where 2 s·∇p is taken off.
+    /// L s of every particle, padded, where 2 s·∇p is subtracted.
     tilt: Option<&'a [[f64; 2]]>,
 }
 
@@ -51,12 +53,13 @@ impl Coupling for Compact<'_> {
 }
 
 impl System {
-    /// Rows of V_i times 2 Σ F (p_i - p_j) + grip p_i, for the dynamic pressure (Liang et al. 2017,
-    /// Eqs. 4 and 11). The surface holds the pressure by its grip.
+    /// Rows are V_i times 2 Σ F (p_i - p_j) + grip p_i, for the dynamic pressure (Liang et al.
+    /// 2017, Eqs. 4 and 11). The grip is the zero pressure at the surface.
     ///
-    /// A support that is cut off has its normalisation κ_i on the right, so that the matrix stays
-    /// symmetric. With [`Laplacian::Schwaiger`] F becomes F (1 - s·L Δ), which takes 2 s·∇p off: zero on
-    /// linear fields in any arrangement. For [`Laplacian::Exact`] only near neighbours are taken.
+    /// The normalisation κ_i of an incomplete support is on the right-hand side, so that the matrix
+    /// stays symmetric. With [`Laplacian::Schwaiger`] F becomes F (1 - s·L Δ). This subtracts 2
+    /// s·∇p: the sum is then zero on linear fields in any arrangement. For [`Laplacian::Exact`]
+    /// only near neighbours are taken.
     pub fn assemble(
         &mut self,
         laplacian: Laplacian,
@@ -80,7 +83,7 @@ impl System {
             *diagonal += volume * grip;
         }
         if exact {
-            // Parts that nothing holds stay solvable.
+            // Parts without a held pressure stay solvable.
             matrix.diagonal.iter_mut().for_each(|diagonal| *diagonal *= 1.0 + HOLD);
         } else {
             self.hold_components(grip);

@@ -1,20 +1,20 @@
 //! The paper's own pressure equation, with a compact Laplacian: for comparison.
 //!
-//! The last step's pressure, carried along by its particles, makes a first velocity u* =
-//! u + Δt (g - ∇p/ρ); what is left of its divergence corrects that pressure (the incremental form of
-//! Liang et al. 2017, Eq. 11). The compact Laplacian and the divergence of the gradient differ; their
-//! difference is made up for from step to step, instead of pushing the water the same way for ever.
+//! The incremental form of Liang et al. 2017, Eq. 11. The last step's pressure, which particles
+//! carry with them, gives a first velocity u* = u + Δt (g - ∇p/ρ). The remaining divergence of u*
+//! corrects that pressure. The compact Laplacian differs from the divergence of the gradient. The
+//! next steps correct the difference, so that it does not push the water the same way for ever.
 
 use super::Isph;
 use super::project::Source;
 use super::solve::MEMORY;
 use crate::scheme::StepError;
 
-/// A support that is less complete than this has the largest κ.
+/// A support less complete than this gets the largest κ.
 const POOREST: f64 = 0.25;
 
 impl Isph {
-    /// Sets what the solves of a step have in common.
+    /// Prepares what all solves of a step share.
     pub(super) fn prepare_compact(&mut self) {
         self.system.preconditioner.prepare(&self.system.matrix);
         self.exact.aim.clear();

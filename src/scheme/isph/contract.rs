@@ -14,7 +14,7 @@ use crate::scheme::{
     Dissipation, Load, Scheme, SchemeState, SolverSummary, StateEquation, StepError, StepWalls,
 };
 
-/// Divergence and volume are looked at once in this many steps.
+/// Divergence and volume are checked once in this many steps.
 const STEPS_PER_CHECK: u64 = 10;
 
 impl Scheme for Isph {
@@ -167,7 +167,7 @@ impl Scheme for Isph {
 }
 
 impl Isph {
-    /// Notes how far the water is from divergence-free and from its own volume.
+    /// Records how far the water is from divergence-free and from its own volume.
     fn check(&mut self, dt: f64) {
         let (mut count, mut squares, mut drift) = (0.0_f64, 0.0, 0.0);
         for i in 0..self.fluid.len() {

@@ -1,20 +1,25 @@
-//! Images behind the corner of bed and wall, where it is not a right one.
+//! Images behind the corner of bed and wall, where the angle is not a right one.
 //!
-//! Bed and face mirror water of the angle φ into the two sectors beside its own. 2π - 3φ of the solid is left. Images
-//! of images fill it, two sectors of φ at a time. They are what k reflections make of the water, in bed and face by
-//! turns. One begins with the bed, one with the face. The last two sectors may be larger together than what is
-//! left. So they overlap, and their images count by the share that is left. At φ = 2π/n none do but those that
-//! coincide, at a right angle n = 4.
+//! Water fills the angle φ. Its images in bed and face fill two sectors of φ beside it. The rest of
+//! the solid is 2π - 3φ. Images of images fill it, two sectors of φ at a time. They are k
+//! reflections of the water, in bed and face by turns. One begins with the bed, the other with the
+//! face.
 //!
-//! One of the two undoes the other, or each undoes itself, and both count alike. So j's image is as far from i as
-//! i's is from j and weighs as much: the matrix stays symmetric, and pressure takes no energy.
+//! The last two sectors may be larger together than the rest. Then they overlap, and their images
+//! are weighted by the rest over the two sectors. At φ = 2π/n no images overlap except those
+//! that coincide, at a right angle n = 4.
+//!
+//! Either each of the two reflections is the inverse of the other, or each is its own inverse. Both
+//! have the same weight. So j's image is as far from i as i's image is from j, with the same
+//! weight. The matrix stays symmetric, and pressure takes no energy.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use super::images::{Mirrors, Point};
 use crate::body::Place;
 
-/// Corners closer to a right one than this, as the cosine, are right; a part of 2π this small is none.
+/// Tolerance: a corner is right if its cosine is smaller, and an angle is none if this small a part
+/// of 2π.
 const ROUNDING: f64 = 1e-9;
 
 impl Mirrors<'_> {
@@ -26,7 +31,8 @@ impl Mirrors<'_> {
         (one == bed) != (other == bed) && along.abs() > ROUNDING && across.abs() > ROUNDING
     }
 
-    /// Appends images of images of the water, the first `n` points, behind its corners that are not right ones.
+    /// Appends images of images of the first `n` points, the water, behind corners that are not
+    /// right ones.
     pub(super) fn fill_corners(&self, n: usize, points: &mut Vec<Point>) {
         let bed = Place::Bed.number();
         for wall in (0..self.planes.len()).filter(|&wall| wall != bed && self.askew(bed, wall)) {
@@ -36,7 +42,7 @@ impl Mirrors<'_> {
                 continue;
             }
             let [x, y] = self.planes[wall].point;
-            // Between the water and these images.
+            // The angle between the water and these images.
             let apart = angle.min(TAU - 3.0 * angle).min(FRAC_PI_2);
             let farthest = self.reach / libm::sin(apart);
             let in_reach =

@@ -1,4 +1,4 @@
-//! The divergence of the velocity, and its strain.
+//! The divergence of the velocity, and its strain rate.
 
 use super::operators::Operators;
 use crate::pairs::{Eight, Field, Here, Near, Neighbour, Other, Pair, Real, Term};
@@ -32,8 +32,8 @@ impl Term for Flow {
     }
 }
 
-/// Writes what `of` makes of Σ V_j (u_j - u_i)·L_i ∇_iW_ij for the velocities u_i, with u_j in the records,
-/// given the particle's number.
+/// Writes `of(i, d)`, where d is Σ V_j (u_j - u_i)·L_i ∇_iW_ij for the particle i with the velocity
+/// u_i. u_j is in the records.
 pub(super) fn divergence(
     (near, operators): (&Near, &Operators),
     own: &[[f64; 2]],
@@ -49,8 +49,8 @@ pub(super) fn divergence(
     });
 }
 
-/// ∇u with the correction L: its trace and, trace-free and symmetric, the strain
-/// (½ (∂u/∂x - ∂v/∂y), ½ (∂u/∂y + ∂v/∂x)).
+/// ∇u with the correction L. Writes its trace, and the trace-free symmetric part (½ (∂u/∂x -
+/// ∂v/∂y), ½ (∂u/∂y + ∂v/∂x)): the strain rate.
 pub(super) fn strain(
     (near, operators): (&Near, &Operators),
     own: &[[f64; 2]],

@@ -1,42 +1,45 @@
-//! What the exact Laplacian, the divergence of the gradient that moves the water, is solved with.
+//! Data for the exact Laplacian: the divergence of the gradient that moves the water.
 
 use super::operators::Operators;
 use crate::water::Slack;
 
-/// A support below this completeness is wholly spray.
+/// A particle with a support below this completeness is spray.
 const SPRAY: f64 = 0.15;
 /// Where the water takes no pressure.
 const SLACK: Slack = Slack { spray: [0.30, SPRAY], tension: [0.5, 0.3] };
-/// The largest share of a divergence that a particle may keep instead of taking a pressure.
+/// The largest share of its divergence that a particle may keep without a pressure against it.
 const SOFTEST: f64 = 0.99;
 
-/// What the products of the exact Laplacian need and leave, an entry per particle.
+/// Inputs and results of products with the exact Laplacian, an entry per particle.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Exact {
     /// ∇p of every particle.
     pub slope: Vec<[f64; 2]>,
-    /// C: how far a particle gives way instead of taking a pressure.
+    /// C: how far a particle changes its volume instead of taking a pressure.
     pub softness: Vec<f64>,
-    /// κ^(-1/2), κ what takes the compact Laplacian to the size of the exact one.
+    /// κ^(-1/2). κ scales the compact Laplacian to the size of the exact one.
     pub scale: Vec<f64>,
     pub scaled: Vec<f64>,
     pub compact: Vec<f64>,
-    /// Divergence that the step starts with, 1/s.
+    /// Divergence at the start of the step, 1/s.
     pub before: Vec<f64>,
     /// Divergence at mid-step that this step aims at, 1/s.
     pub aim: Vec<f64>,
-    /// The part of it that takes the error of the volume back; empty where that is left alone.
+    /// The part of the aim that corrects the error of the volume; empty where that is left alone.
     pub restored: Vec<f64>,
 }
 
 impl Exact {
-    /// Sets the divergence at mid-step that makes the velocity at the step's end divergence-free there.
+    /// Sets the divergence at mid-step for which the velocity at the step's end is divergence-free
+    /// there.
     ///
-    /// Between the middles of two steps the operator D itself moves on, and takes the divergence of
-    /// a velocity from the last step's aim t to D u, `now`; half as much is still to come until the end
-    /// of this one: t' = -½ (D u - t). Pressure then does no work over a step, to second order: with an
-    /// aim of zero it took out energy in proportion to Δt. Where there was no step yet (`last` is
-    /// `None`), nothing has moved: all of the divergence is to go.
+    /// Between the middles of two steps the operator D itself changes. A velocity that had the
+    /// divergence t, the last step's aim, then has D u, which is `now`. Half as much change is to
+    /// come until the end of this step, so the aim is t' = -½ (D u - t). With it the pressure does
+    /// no work over a step, to second order. With an aim of zero it took out energy in proportion
+    /// to Δt. If there was no step yet (`last` is `None`), nothing has changed, and the aim is
+    /// zero.
+    ///
     /// Returns |V (D u - t')|.
     pub fn aim_at(&mut self, now: &[f64], last: Option<&[f64]>, volume: &[f64]) -> f64 {
         self.before.clear();
@@ -52,9 +55,9 @@ impl Exact {
         square.sqrt()
     }
 
-    /// Particles that give way instead of taking a pressure: spray, which has too few neighbours to
-    /// feel one, and water near the surface that was under tension in the last step. A share s of
-    /// the divergence stays with them: C = s/(1 - s) times the diagonal.
+    /// Softens particles that do not take their full pressure. These are spray, which has too few
+    /// neighbours to feel one, and water near the surface that was under tension in the last step.
+    /// They keep a share s of their divergence: C = s/(1 - s) times the diagonal.
     pub fn soften(
         &mut self,
         operators: &Operators,

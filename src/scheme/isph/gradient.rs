@@ -1,4 +1,4 @@
-//! The gradient of the pressure, and the force that it means for the walls.
+//! The gradient of the pressure, and the force of the water on the walls.
 
 use std::cell::Cell;
 
@@ -49,8 +49,8 @@ pub(super) fn gradient(
     });
 }
 
-/// What the images that the walls make of the water do to it, along x: V_i V_j ((p_i L_i + p_j L_j) ∇_iW_ij)_x
-/// of every pair, added to the force on the image's body (Eq. 14).
+/// The force of the walls' images on the water, along x: the sum of V_i V_j ((p_i L_i + p_j L_j)
+/// ∇_iW_ij)_x over pairs. Each pair is added to the force on the image's body (Eq. 14).
 #[derive(Clone, Copy)]
 struct Reaction<'a> {
     records: &'a [Record],
@@ -88,9 +88,9 @@ impl Term for Reaction<'_> {
     }
 }
 
-/// Force of the water on every body along x by the momentum reaction, Liang et al. 2017,
-/// Eq. 14 with the corrected gradients of the momentum equation, over fluid i and images j:
-/// the force that the water itself feels, with the opposite sign. p L is in the records.
+/// Force of the water on every body along x: the momentum reaction of Liang et al. 2017, Eq. 14.
+/// The sum is over fluid i and images j, with the corrected gradients of the momentum equation. So
+/// it is minus the force that the water itself feels. p L is in the records.
 pub(super) fn reaction(near: &Near, points: &[Point], forces: &mut [f64]) {
     forces.fill(0.0);
     near.over_images(Reaction {

@@ -1,26 +1,26 @@
 //! Dummies: mirror images of the water behind straight walls.
 //!
-//! A dummy (Koshizuka & Oka 1996) is here the image of a fluid particle, found anew every step. Its
-//! velocity is the mirrored one, 2 u_w - u across the wall, and its pressure is its original's plus
-//! what the wall's Neumann condition ∂p/∂n = ρ (g - a_w)·n adds over their distance. Every row of
-//! the pressure equation then has its full support at a wall, and the matrix stays symmetric: the
-//! image of j is as far from i as the image of i from j.
+//! A dummy (Koshizuka & Oka 1996) is here the image of a fluid particle, found again every step.
+//! Its velocity is mirrored: 2 u_w - u across the wall. Its pressure is that of its original, plus
+//! the wall's Neumann condition ∂p/∂n = ρ (g - a_w)·n times their distance. So every row of the
+//! pressure equation has a full support at a wall. The matrix stays symmetric, because j's image is
+//! as far from i as i's image is from j.
 
 use crate::body::BodyMotion;
 use crate::boundary::Plane;
 use crate::math::team::Growing;
 use crate::pairs::Fluid;
 
-/// What the walls add to an image, at known accelerations or per unit of an unknown one.
+/// What the walls add to an image, for known accelerations and per unit of an unknown one.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct WallTerms {
-    /// Velocity at the start of the step over the reflected original's, m/s.
+    /// Velocity at the start of the step less that of the reflected original, m/s.
     pub start_velocity: [f64; 2],
-    /// The same at its end ...
+    /// The same at the end of the step ...
     pub velocity: [f64; 2],
     /// ... and per unit acceleration of the responding body, s.
     pub velocity_response: [f64; 2],
-    /// Dynamic pressure over the original's, Pa ...
+    /// Dynamic pressure less the original's, Pa ...
     pub pressure: f64,
     /// ... and per unit acceleration, Pa/(m/s²).
     pub pressure_response: f64,
@@ -40,7 +40,7 @@ pub(super) struct Point {
     pub body: u8,
     /// Reflection T of the original, by rows; the identity for the fluid.
     pub turn: [f64; 4],
-    /// What an image takes from its walls.
+    /// What the walls add.
     pub walls: WallTerms,
 }
 
@@ -67,19 +67,19 @@ fn reflected([nx, ny]: [f64; 2], [a, b, c, d]: [f64; 4]) -> [f64; 4] {
     [a - nx * p, b - nx * q, c - ny * p, d - ny * q]
 }
 
-/// H u + 2 n n·w: a velocity as a wall that moves at w along x mirrors it.
+/// H u + 2 n n·w: a velocity mirrored in a wall that moves at w along x.
 fn mirrored([nx, ny]: [f64; 2], [u, v]: [f64; 2], w: f64) -> [f64; 2] {
     let across = 2.0 * ((w - u) * nx - v * ny);
     [u + across * nx, v + across * ny]
 }
 
-/// The walls that the water is mirrored in, where they stand at r*.
+/// The walls in which the water is mirrored, at r*.
 pub(super) struct Mirrors<'a> {
     pub planes: &'a [Plane],
     pub bodies: &'a [BodyMotion],
-    /// The body whose acceleration is not known yet.
+    /// The body whose acceleration is still unknown.
     pub responds: usize,
-    /// Points as far as this from a wall have images in it, metres.
+    /// Points closer than this to a wall have an image in it, metres.
     pub reach: f64,
     /// ρ0, kg/m³.
     pub density: f64,
@@ -88,8 +88,8 @@ pub(super) struct Mirrors<'a> {
 }
 
 impl Mirrors<'_> {
-    /// The fluid at r* = r + ½ u Δt and its images. Gravity's own g Δt² is left out of Eq. 8, so that
-    /// still water stays exactly where it is.
+    /// The fluid at r* = r + ½ u Δt, and its images. Gravity's own g Δt² of Eq. 8 is left out, so
+    /// that still water stays exactly where it is.
     pub fn points(&self, fluid: &Fluid, points: &mut Vec<Point>, growing: &mut Growing<Point>) {
         let ahead = 0.5 * self.dt;
         points.clear();
@@ -107,13 +107,13 @@ impl Mirrors<'_> {
         self.fill_corners(fluid.len(), points);
     }
 
-    /// The image of a point in a wall, if the water needs it.
+    /// The image of a point in a wall, if it is needed.
     fn image(&self, number: usize, point: Point) -> Option<Point> {
         let &Mirrors { planes, reach, .. } = self;
         let plane = &planes[number];
         let [nx, ny] = plane.normal;
-        // Images of images fill right corners here, others in `corner.rs`. From 120° on there is no room for
-        // them: each wall's images end half-way round the corner.
+        // Here images of images fill right corners; `corner.rs` fills others. From 120° on there is
+        // no room for them. There each wall's images end at the bisector behind the corner.
         let obtuse = |other: usize| {
             let [mx, my] = planes[other].normal;
             other != number && mx * nx + my * ny > 1e-9

@@ -1,4 +1,4 @@
-//! The Laplacian that belongs to the scheme's own divergence and gradient.
+//! The Laplacian that fits the scheme's own divergence and gradient.
 
 use super::divergence::divergence;
 use super::exact::Exact;
@@ -9,15 +9,16 @@ use crate::math::simd::SimdPath;
 use crate::math::sparse::{Csr, Preconditioner, Product};
 use crate::pairs::Near;
 
-/// -V D G p + C p + ε A p: minus the divergence of the gradient, both as in `project.rs`, never
-/// stored: a product is one pass for the gradient and one for the divergence. It is symmetric and has
-/// no negative eigenvalue, since V D and G are minus each other's transpose.
+/// -V D G p + C p + ε A p: minus the divergence of the gradient, both as in `project.rs`. It is
+/// never stored: a product is one pass for the gradient and one for the divergence. It is symmetric
+/// and has no negative eigenvalue, because V D and G are minus each other's transpose.
 ///
-/// It does not feel pressures that alternate from particle to particle; a share ε of the compact
-/// Laplacian A does. A, scaled to the same size near the surface, is the preconditioner.
+/// It does not feel pressures that alternate from particle to particle. The compact Laplacian A
+/// does, so a share ε of it is added. A, scaled to the same size near the surface, is also the
+/// preconditioner.
 pub(super) struct ExactLaplacian<'a> {
     pub path: SimdPath,
-    /// p L and ∇p are put into the records.
+    /// p L and ∇p are written into its records.
     pub near: &'a mut Near,
     pub points: &'a [Point],
     pub operators: &'a Operators,

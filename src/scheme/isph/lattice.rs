@@ -1,4 +1,4 @@
-//! What the sums over a particle's neighbours come to in even water.
+//! Sums over a particle's neighbours in evenly spread water.
 
 use super::options::IsphOptions;
 
@@ -12,7 +12,7 @@ pub(super) struct Even {
     pub weight: f64,
     /// Σ V W.
     pub coverage: f64,
-    /// V² F at the edge of the narrow Laplacian, and Σ F Δ² over that within.
+    /// V² F at the edge of the narrow Laplacian, and Σ F Δ² over the same sum within that edge.
     pub narrow: (f64, f64),
 }
 

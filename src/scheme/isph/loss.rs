@@ -1,16 +1,17 @@
-//! What the pressure takes from the energy of the water.
+//! The energy that the pressure takes from the water.
 //!
-//! Between walls that stand the pressure's work on the water is Σ V p D ū, with ū the mean of a step's old and new
-//! velocity. That is none where ū has no divergence. Water that meets has one at first: what it loses as the step takes
-//! that away, it loses like bodies that stay together after a hit.
+//! Between walls at rest the pressure's work on the water is Σ V p D ū, where ū is the mean of a
+//! step's old and new velocity. It is zero if ū has no divergence. Where two bodies of water meet,
+//! there is a divergence at first. The step removes it, and energy is lost as in an inelastic
+//! collision.
 
 use super::Isph;
 use super::options::Laplacian;
 use super::solve::MEMORY;
 
 impl Isph {
-    /// -Σ V p D ū over a step of `dt` seconds, J/m. A compact Laplacian does not tell what divergence it leaves:
-    /// with one only the divergence that takes the volume's error back is counted.
+    /// -Σ V p D ū over a step of `dt` seconds, J/m. With a compact Laplacian the divergence that
+    /// stays is not known. Then only the divergence that corrects the volume's error is counted.
     pub(super) fn pressure_loss(&mut self, dt: f64) -> f64 {
         if self.options.laplacian != Laplacian::Exact {
             let restored = &self.exact.restored;
@@ -23,7 +24,7 @@ impl Isph {
         self.system.matrix.multiply(self.path, &exact.scaled, &mut exact.compact);
         let (exact, volume) = (&self.exact, &self.near.volume);
         let (share, density) = (self.options.compact_share, self.options.density);
-        // The new velocity's divergence is what the pressure equation leaves: see `Isph::solve_exact`.
+        // The pressure equation gives the divergence of the new velocity: see `Isph::solve_exact`.
         -dt * self.expansion(|i, pressure| {
             let kept = exact.softness[i] * pressure + share * exact.compact[i];
             let after = exact.aim[i] - dt * kept / (density * volume[i]);

@@ -1,12 +1,15 @@
 //! Incompressible SPH by a divergence-free projection (Liang et al. 2017, Eqs. 5-14).
 //!
-//! A step predicts places r* (Eq. 8), lists there who is near whom, finds all operators and the surface
-//! (`surroundings.rs`), assembles and solves the pressure equation (Eq. 11, `assembly.rs`, `solve.rs`)
-//! and, once the walls' motion is settled, corrects velocities (Eq. 9) and places (Eq. 10, `motion.rs`).
-//! These are methods of [`Isph`]; what they call are functions over fields. Sums over pairs are terms
-//! (`gradient.rs`, `divergence.rs`, `viscosity.rs`, `surface.rs`) of the engine for
-//! [`Near`](crate::pairs::Near) pairs.
-//! Walls are dummies that mirror the water itself (`images.rs`).
+//! A step goes through these stages:
+//! - It predicts positions r* (Eq. 8). There it lists neighbours and finds all operators and the
+//!   surface (`surroundings.rs`).
+//! - It assembles and solves the pressure equation (Eq. 11, `assembly.rs`, `solve.rs`).
+//! - Once the walls' motion is known, it corrects velocities (Eq. 9) and positions (Eq. 10,
+//!   `motion.rs`).
+//!
+//! These are methods of [`Isph`], which call functions over fields. Sums over pairs are terms
+//! (`gradient.rs`, `divergence.rs`, `viscosity.rs`, `surface.rs`) for [`Near`](crate::pairs::Near).
+//! Walls are mirror images of the water (`images.rs`).
 
 mod assembly;
 mod compact;

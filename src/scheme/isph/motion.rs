@@ -1,4 +1,4 @@
-//! Velocities, places, shifting: the second half of a step.
+//! Velocities, positions and shifting: the second half of a step.
 
 use super::operators::Operators;
 use super::parting::Parting;
@@ -8,11 +8,11 @@ use crate::scheme::{Dissipation, StepWalls};
 use crate::water::{HoldInside, SHIFT_LIMIT, shifted_share};
 
 impl Isph {
-    /// Corrects velocities by the pressure gradient (Liang et al. 2017, Eq. 9), moves the particles
-    /// with the mean of old and new velocity (Eq. 10) and shifts them.
+    /// Corrects velocities by the pressure gradient (Liang et al. 2017, Eq. 9). Then it moves the
+    /// particles with the mean of old and new velocity (Eq. 10) and shifts them.
     ///
-    /// Pressure and accelerations are affine in the responding wall's acceleration, so that its
-    /// settled value is put in without another solve.
+    /// Pressure and accelerations are affine in the responding wall's acceleration. So the final
+    /// value of that is put in without another solve.
     pub(super) fn advance(&mut self, dt: f64, walls: &StepWalls<'_>) -> Dissipation {
         let n = self.fluid.len();
         let options = self.options;
@@ -51,7 +51,7 @@ impl Isph {
         let [mut viscous_power, mut shifting_work] =
             self.spent.each_ref().map(|spent| spent.iter().fold(0.0, |sum, spent| sum - spent));
         if options.viscosity > 0.0 {
-            // What bodies do by their drag is work on the water, and none of its loss.
+            // The drag of the bodies does work on the water. That is no loss of the water's.
             let drags = walls.bodies.iter().zip(&self.drag_on_bodies);
             viscous_power -= drags.map(|(body, drag)| drag * body.velocity).sum::<f64>();
         }
@@ -67,7 +67,7 @@ impl Isph {
         Dissipation { viscous_power, diffusion_power: 0.0, shifting_work }
     }
 
-    /// Parts what crowds near the surface; returns Σ m δy, kg m per metre.
+    /// Moves crowded particles near the surface apart; returns Σ m δy, kg m per metre.
     pub(super) fn part(&mut self, dt: f64) -> f64 {
         let Isph { options, near, points, operators, fluid, .. } = self;
         let parting = Parting {
@@ -92,7 +92,8 @@ struct Shifting<'a> {
 }
 
 impl Shifting<'_> {
-    /// δr = -A h |u| Δt ∇C, ∇C = Σ V ∇W, of a particle with the velocity u; away from the surface only.
+    /// δr = -A h |u| Δt ∇C with ∇C = Σ V ∇W, for a particle with the velocity u. None near the
+    /// surface.
     fn of(&self, i: usize, [u, v]: [f64; 2]) -> Option<[f64; 2]> {
         let Shifting { options, operators, dt } = self;
         if options.shifting_coefficient == 0.0 || operators.grip[i] > 0.0 {
@@ -104,7 +105,7 @@ impl Shifting<'_> {
         let factor = options.shifting_coefficient * smoothing * speed * dt * inside;
         let limit = SHIFT_LIMIT * options.spacing;
         let [sx, sy] = operators.sway[i];
-        // s = Σ F Δ points to where neighbours crowd.
+        // s = Σ F Δ points to where neighbours are crowded.
         Some([(-factor * sx).clamp(-limit, limit), (-factor * sy).clamp(-limit, limit)])
     }
 }

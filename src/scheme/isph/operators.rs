@@ -1,4 +1,4 @@
-//! What a particle's support is good for: its moments, and the correction of gradients.
+//! The moments of a particle's support, and the correction of gradients.
 
 use super::images::Point;
 use crate::pairs::{Field, Near};
@@ -23,14 +23,14 @@ pub(super) struct Operators {
     pub correction: Vec<[f64; 3]>,
     /// Its smallest eigenvalue: 1 inside the water, 1/2 at a flat surface.
     pub completeness: Vec<f64>,
-    /// Its surface: whether ∇·r < 1.5, and for those near it what the zero pressure adds to the
-    /// diagonal.
+    /// Whether a particle is at the surface, ∇·r < 1.5; and what the zero pressure there adds to
+    /// the diagonal of particles near it.
     pub at_surface: Vec<bool>,
     pub grip: Vec<f64>,
 }
 
 impl Operators {
-    /// Weighs all pairs of the water's `n` particles, and finds what they make of every support.
+    /// Sums over all pairs of the water's `n` particles, and finds every operator from the sums.
     pub fn find(&mut self, near: &mut Near, n: usize) {
         for field in [&mut self.coverage, &mut self.weight, &mut self.completeness] {
             field.resize(n, 0.0);
@@ -55,8 +55,9 @@ impl Operators {
         });
     }
 
-    /// κ_i = ½ tr (Σ F ΔΔᵀ)⁻¹, Schwaiger's (2008) normalisation of a support that is cut off, which
-    /// takes the compact Laplacian to the size of the exact one; its bound below a completeness.
+    /// κ_i = ½ tr (Σ F ΔΔᵀ)⁻¹: Schwaiger's (2008) normalisation of an incomplete support. It scales
+    /// the compact Laplacian to the size of the exact one. Below the completeness `least` it is its
+    /// upper bound.
     pub fn kappa(&self, i: usize, least: f64) -> f64 {
         const FULLEST: f64 = 3.0;
         let [xx, xy, yy] = self.moment[i];

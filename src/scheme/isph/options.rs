@@ -31,8 +31,8 @@ pub struct IsphOptions {
     pub density: f64,
     /// Gravity, m/s².
     pub gravity: f64,
-    /// Height at which the still water's pressure is zero, metres: the level that the unknown,
-    /// the dynamic pressure p + ρ g (y - level), is counted from.
+    /// Height at which the still water's pressure is zero, metres. The unknown, the dynamic
+    /// pressure p + ρ g (y - level), refers to it.
     pub still_level: f64,
     /// Kinematic viscosity, m²/s.
     pub viscosity: f64,
@@ -42,7 +42,7 @@ pub struct IsphOptions {
     pub acceleration: f64,
     /// Speed that scales the scheme's own viscosity, m/s.
     pub viscous_speed: f64,
-    /// α of the viscosity on what linear velocities leave.
+    /// α of the viscosity that acts on what is not linear in the velocity.
     pub artificial_viscosity: f64,
     /// Strength A of the shifting; 0 is off.
     pub shifting_coefficient: f64,

@@ -1,21 +1,21 @@
 //! Parting: keeps particles near the surface evenly spread.
 //!
-//! Water that climbs a wall is stretched upwards and pressed together across, and particles follow:
-//! the row at the tip drew itself out to a line, four particles to a spacing, two and a half spacings
-//! above the next row. Such a line has too poor a support to bear the pressure that lifts it. An
-//! exactly divergence-free flow has no noise that would break it up, and shifting along ∇C stops
-//! short of the surface, which it would push outwards.
+//! Water that climbs a wall is stretched upwards and pressed together across, and so are its
+//! particles. The row at the tip became a line with four particles to a spacing, two and a half
+//! spacings above the next row. The support of such a line is too poor for the pressure that lifts
+//! it. An exactly divergence-free flow has no noise to break it up. Shifting along ∇C stops short
+//! of the surface, because it would push the surface outwards.
 
 use super::images::Point;
 use crate::pairs::{Fluid, Near};
 use crate::water::shifted_share;
 
-/// Pairs closer than this many particle spacings are parted ...
+/// Pairs closer than this many particle spacings are moved apart ...
 const CLOSE: f64 = 0.8;
 /// ... by at most this many in a step.
 const LIMIT: f64 = 0.1;
 
-/// The water's surroundings, and how far pairs are parted.
+/// The neighbourhood of the water, and how far pairs are moved apart.
 pub(super) struct Parting<'a> {
     pub near: &'a Near,
     pub points: &'a [Point],
@@ -36,9 +36,9 @@ impl Parting<'_> {
     ///
     /// δr = -λ (1 - r/r0) Δ/r, λ = min(2A |u| Δt, 0.1 Δx),
     ///
-    /// |u| being the pair's mean speed and A the strength of shifting, as far as the surface keeps
-    /// that from acting. Equal and opposite, it leaves the centre of mass of the water where it is,
-    /// but for pairs with a wall's images. Returns Σ m δy, kg m per metre.
+    /// Here |u| is the pair's mean speed and A the strength of shifting. It acts to the share to
+    /// which the surface switches shifting off. The moves of a pair are equal and opposite. So the
+    /// water's centre of mass stays, except for pairs with images. Returns Σ m δy, kg m per metre.
     pub fn part(&self, fluid: &mut Fluid) -> f64 {
         let per_speed = 2.0 * self.strength * self.dt;
         let (reach, limit) = (CLOSE * self.spacing, LIMIT * self.spacing);
@@ -63,7 +63,7 @@ impl Parting<'_> {
                 let (dx, dy) = (factor * dx, factor * dy);
                 lifted += shove(fluid, i, [-dx, -dy]);
                 if other == 0.0 {
-                    // Its own turn passes it by.
+                    // j's own turn leaves this pair out.
                     let [a, b, c, d] = self.points[e].turn;
                     lifted += shove(fluid, j, [a * dx + c * dy, b * dx + d * dy]);
                 }
@@ -72,7 +72,7 @@ impl Parting<'_> {
         lifted
     }
 
-    /// 1 where shifting is off for the surface's sake, 0 where it acts in full.
+    /// 1 where shifting is off because of the surface, 0 where it acts in full.
     fn near_surface_share(&self, i: usize) -> f64 {
         1.0 - shifted_share(self.completeness[i], self.fades_in)
     }

@@ -1,5 +1,5 @@
-//! Divergence, gradient and drag of the water with its images. Divergence and gradient are each minus
-//! the transpose of the other.
+//! Divergence, gradient and drag of the water with its images. Divergence and gradient are minus
+//! the transpose of each other.
 
 use super::Isph;
 use super::divergence::{divergence, strain};
@@ -8,19 +8,19 @@ use super::images::{Point, WallTerms};
 use super::viscosity::Viscosity;
 use crate::pairs::Field;
 
-/// Which pressure a gradient is taken of.
+/// Of which pressure a gradient is taken.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Source {
-    /// The pressure itself, the responding wall's acceleration left out.
+    /// The pressure itself, without the responding wall's acceleration.
     Pressure,
-    /// What the walls alone add per unit acceleration of the responding one.
+    /// The part that the walls add per unit acceleration of the responding one.
     Walls,
     /// The response of the pressure to that acceleration, walls included.
     Response,
 }
 
 impl Isph {
-    /// p of the water and p L of every point: what the gradient sums.
+    /// Writes p of the water, and p L of every point for the gradient's sums.
     fn stresses(&mut self, source: Source) {
         let (options, carried) = (&self.options, &self.carried);
         let (points, turned, pressure) = (&self.points, &self.turned, &self.pressure);
@@ -40,8 +40,8 @@ impl Isph {
         self.near.each(Field(&mut self.own_pressure), of);
     }
 
-    /// Accelerations by a pressure, -(1/ρ) Σ F (p_i L_i + p_j L_j) Δ: equal and opposite between
-    /// pairs, and repelling where particles crowd.
+    /// Accelerations by a pressure, -(1/ρ) Σ F (p_i L_i + p_j L_j) Δ. They are equal and opposite
+    /// within a pair, and repel where particles are crowded.
     pub(super) fn accelerate(&mut self, source: Source) {
         self.stresses(source);
         let near = (&self.near, &self.operators);
@@ -49,7 +49,7 @@ impl Isph {
         gradient(near, pressure, &mut self.accelerations);
     }
 
-    /// The velocities at hand as the walls mirror them.
+    /// Mirrors the present velocities in the walls.
     fn mirror(&mut self, walls: impl Fn(&WallTerms) -> [f64; 2] + Sync) {
         let (points, velocities) = (&self.points, &self.velocities);
         self.near.each_point(|[e, j], at| {
@@ -60,14 +60,15 @@ impl Isph {
         });
     }
 
-    /// ∇·u = Σ F (u_j - u_i)·L_i Δ of the velocities at hand, images moving as `walls` says.
+    /// ∇·u = Σ F (u_j - u_i)·L_i Δ of the present velocities. `walls` gives the velocities of
+    /// images.
     pub(super) fn diverge(&mut self, walls: impl Fn(&WallTerms) -> [f64; 2] + Sync) {
         self.mirror(walls);
         let near = (&self.near, &self.operators);
         divergence(near, &self.velocities, &mut self.divergence, |_, divergence| divergence);
     }
 
-    /// Viscous accelerations, with walls that slip freely, and the divergence of the velocities.
+    /// Viscous accelerations with free-slip walls, and the divergence of the velocities.
     pub(super) fn find_drag(&mut self) {
         let (n, options) = (self.fluid.len(), &self.options);
         let smoothing = options.kernel.smoothing_length_ratio() * options.support_radius;

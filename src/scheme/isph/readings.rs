@@ -10,22 +10,23 @@ impl Isph {
         first_level(|y| self.near.average(line(y), |_| 0.0)[0], from, self.options.spacing)
     }
 
-    /// Points of a body's face at r*: along its plane, by height.
+    /// Points of a body's face at r*, as a function of height.
     pub(super) fn face_line(&self, body: usize) -> Option<impl Fn(f64) -> [f64; 2] + use<>> {
         let plane = self.ghosts.bodies.get(body)?.plane.moved(self.face_offsets[body]);
         let [nx, ny] = plane.normal;
         (nx != 0.0).then_some(move |y: f64| [plane.point[0] - (y - plane.point[1]) * ny / nx, y])
     }
 
-    /// The dynamic pressure of the water or an image of it, Pa: p = p0 + a p1, with the acceleration a that the
-    /// responding wall has by now.
+    /// The dynamic pressure of the water or of an image, Pa: p = p0 + a p1. Here a is the
+    /// acceleration of the responding wall as far as it is known.
     fn settled_at(&self, point: &Point) -> f64 {
         let (j, walls) = (point.original as usize, &point.walls);
         let response = self.carried.response.get(j).copied().unwrap_or(0.0);
         self.pressure[j] + walls.pressure + self.answer * (response + walls.pressure_response)
     }
 
-    /// Finds the water's pressures with that acceleration. All that tells or carries on a pressure takes these.
+    /// Finds the water's pressures with that acceleration. All readings and the next step use
+    /// these.
     pub(super) fn settle_pressures(&mut self) {
         let mut dynamic = std::mem::take(&mut self.dynamic);
         dynamic.clear();
@@ -58,8 +59,9 @@ impl Isph {
         [coverage, self.options.whole_pressure(dynamic, place[1]).max(0.0)]
     }
 
-    /// Pressures at the points of a body's face, Pa, up to the first that stands out of the water. They are
-    /// means over a support radius, so every other point is as well read as the mean of its neighbours.
+    /// Pressures at the points of a body's face, Pa, up to the first point out of the water. They
+    /// are means over a support radius. So every other point is just as well the mean of its
+    /// neighbours.
     pub(super) fn pressures_along(&self, body: usize, pressures: &mut Vec<f64>) {
         let faces = self.ghosts.bodies[body].faces.clone();
         pressures.clear();
@@ -72,7 +74,7 @@ impl Isph {
         };
         for row in (0..pressures.len()).step_by(2) {
             let Some(pressure) = read(row) else {
-                // The water's edge lies between the last two that were read.
+                // The water's edge is between the last two points that were read.
                 if let Some(below) = row.checked_sub(1) {
                     pressures[below] = read(below).unwrap_or(0.0);
                 }

@@ -1,4 +1,4 @@
-//! The pressure, and how it and the walls' loads respond to the wall's acceleration.
+//! The pressure equation, and the response of the pressure to the wall's acceleration.
 
 use super::Isph;
 use super::laplacian::ExactLaplacian;
@@ -11,27 +11,28 @@ use crate::scheme::StepError;
 
 /// A solve that takes more iterations than this has failed.
 const MOST_ITERATIONS: u32 = 500;
-/// Share of the last step's dynamic pressure that the next one starts from: what is forgotten keeps modes
-/// from adding up that the gradient hardly feels.
+/// Share of the last step's dynamic pressure from which the next step starts. Without this loss,
+/// modes that the gradient hardly feels would add up.
 pub(super) const MEMORY: f64 = 0.98;
-/// The first step is solved so many times at most.
+/// The first step is solved at most this many times.
 const FIRST_SOLVES: u32 = 50;
-/// Right-hand sides smaller than the weight of this share of a spacing of water, held over the
-/// surface of every particle, count as zero.
+/// Right-hand sides smaller than this count as zero: the weight of this share of a spacing of
+/// water, held over the surface of every particle.
 const FLOOR: f64 = 1e-3;
-/// The response is solved to this many times the pressure's tolerance: what it leaves of the
-/// divergence is small by the wall's acceleration and taken up by the next step.
+/// The response is solved to this many times the pressure's tolerance. The remaining divergence is
+/// a small part of what the wall's acceleration causes. The next step removes it.
 const RESPONSE_TOLERANCE: f64 = 10.0;
 
 impl Isph {
-    /// Solves for the dynamic pressure with the responding wall's acceleration left out.
+    /// Solves for the dynamic pressure without the responding wall's acceleration.
     ///
-    /// A step counts from the last one's pressure. The first has none, so it is solved until it would be its own.
-    /// Otherwise the force on still water would go up by 0.1 % at ten rows, within five steps.
+    /// A step starts from the last one's pressure. The first step has none, so it is solved again
+    /// from its own result until that no longer changes. Otherwise the force on still water would
+    /// rise by 0.1 % at ten rows, within five steps.
     pub(super) fn solve_pressure(&mut self, dt: f64) -> Result<(), StepError> {
         let starts = self.tally.steps == 0;
         if starts {
-            // A trunk that ends before its first step has already found one.
+            // A trunk that ends before its first step has already found a pressure.
             self.carried.pressure.fill(0.0);
             self.carried.older_pressure.fill(0.0);
         }
@@ -58,11 +59,11 @@ impl Isph {
         Ok(())
     }
 
-    /// Sets what the solves of a step have in common; returns the size of the divergence that they take away.
+    /// Prepares what all solves of a step share; returns the size of the divergence to be removed.
     fn prepare_exact(&mut self, dt: f64) -> f64 {
         self.soften();
         self.system.preconditioner.prepare(&self.system.matrix);
-        // Relative to what this divergence asks for is the solve's tolerance.
+        // The tolerance of the solve is relative to the right-hand side that this divergence gives.
         let last = (self.tally.steps > 0).then_some(&self.carried.aim[..]);
         let aimed = self.exact.aim_at(&self.divergence, last, &self.near.volume);
         self.aim_at_volume();
@@ -73,8 +74,9 @@ impl Isph {
     ///
     /// -V D G p + C (p + ρ g (level - y)) + ε A (p - m p_old) = -(ρ/Δt) V (D u* - t), u* = u + Δt (g + drag)
     ///
-    /// p_old is the last step's pressure, m is [`MEMORY`]. D stands at mid-step. t is its
-    /// [aim](super::exact::Exact::aim_at). Solved for is the change from an extrapolated pressure.
+    /// p_old is the last step's pressure, m is [`MEMORY`], D is the divergence at mid-step. t is
+    /// the [aim](super::exact::Exact::aim_at). The unknown is the change from an extrapolated
+    /// pressure.
     fn solve_exact(&mut self, dt: f64, size: f64) -> Result<(), StepError> {
         let carried = self.carried.pressure.iter().zip(&self.carried.older_pressure);
         self.pressure.clear();
@@ -100,7 +102,7 @@ impl Isph {
         self.refine(change, StopRule { size: Some(size), ..self.rule() })
     }
 
-    /// Softens what is spray, or under tension by the last step's pressure.
+    /// Softens spray, and water whose last pressure was a tension.
     pub(super) fn soften(&mut self) {
         let (options, carried, y) = (&self.options, &self.carried, &self.near.places[1]);
         let tense = |i: usize| options.whole_pressure(carried.pressure[i], y[i]) < 0.0;
@@ -117,7 +119,7 @@ impl Isph {
         solved
     }
 
-    /// u + Δt (g + drag + the accelerations at hand).
+    /// u + Δt (g + drag + the present accelerations).
     pub(super) fn set_velocities_after(&mut self, dt: f64) {
         let gravity = self.options.gravity;
         let (fluid, accelerations, drag) = (&self.fluid, &self.accelerations, &self.drag);
@@ -128,8 +130,8 @@ impl Isph {
         });
     }
 
-    /// Solves for the pressure per unit acceleration of the responding wall, so that force and
-    /// acceleration can be settled together: p = p0 + a p1.
+    /// Solves for the pressure per unit acceleration of the responding wall. With it force and
+    /// acceleration can be found together: p = p0 + a p1.
     pub(super) fn solve_response(&mut self, dt: f64) -> Result<(), StepError> {
         self.accelerate(Source::Walls);
         self.velocities.clear();
@@ -152,7 +154,7 @@ impl Isph {
         solved
     }
 
-    /// When a solve for the pressure is done.
+    /// When a solve for the pressure ends.
     pub(super) fn rule(&self) -> StopRule {
         let options = &self.options;
         let height = options.density * options.acceleration * options.spacing;
@@ -165,7 +167,7 @@ impl Isph {
         }
     }
 
-    /// Solves for `x`, from a guess, with the right-hand side at hand.
+    /// Solves for `x` from a guess, with the present right-hand side.
     fn solve(&mut self, x: &mut [f64], rule: &StopRule) -> Result<(), StepError> {
         let mut krylov = std::mem::take(&mut self.system.krylov);
         let right = std::mem::take(&mut self.system.right);

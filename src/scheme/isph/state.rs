@@ -1,4 +1,4 @@
-//! The particles with all that surrounds them.
+//! The particles and all data about their surroundings.
 
 use serde::{Deserialize, Serialize};
 
@@ -37,7 +37,7 @@ pub(super) struct Carried {
     pub older_pressure: Vec<f64>,
     /// Divergence at mid-step that the last step aimed at, 1/s.
     pub aim: Vec<f64>,
-    /// Response of the pressure to the wall's acceleration; empty until it was asked for.
+    /// Response of the pressure to the wall's acceleration; empty before it was first asked for.
     pub response: Vec<f64>,
 }
 
@@ -63,16 +63,16 @@ pub struct Isph {
     pub(super) fluid: Fluid,
     pub(super) carried: Carried,
     pub(super) tally: Tally,
-    /// The tally with the step under way.
+    /// The tally, including the step under way.
     pub(super) pending: Tally,
     /// Offsets of the bodies at r*.
     pub(super) face_offsets: Vec<f64>,
     pub(super) planes: Vec<Plane>,
-    /// The water and its images, before these are sorted.
+    /// The water and its images, before they are sorted.
     pub(super) loose: Vec<Point>,
-    /// How they become more by their images.
+    /// Adds the images to the points.
     pub(super) growing: Growing<Point>,
-    /// The same in the order of the neighbourhood, with some padding between.
+    /// The same points in the order of the neighbourhood, with some padding between.
     pub(super) points: Vec<Point>,
     pub(super) near: Near,
     pub(super) operators: Operators,
@@ -80,25 +80,26 @@ pub struct Isph {
     pub(super) turned: Vec<[f64; 3]>,
     pub(super) system: System,
     pub(super) exact: Exact,
-    /// What tells the error of the volume, and how fast that is taken back, 1/s.
+    /// The volume's shortfall under a level surface, and the rate at which the volume's error is
+    /// corrected, 1/s.
     pub(super) shortfall: Option<(Shortfall, f64)>,
-    /// Dynamic pressure of the step under way, Pa, without the responding wall's acceleration, and the
-    /// pressure that accelerates.
+    /// Dynamic pressure of the step under way, Pa, without the responding wall's acceleration; and
+    /// the whole pressure that the gradient was last taken of.
     pub(super) pressure: Vec<f64>,
     pub(super) own_pressure: Vec<f64>,
     /// Dynamic and whole pressure of the water with that acceleration, Pa: see [`Isph::settle_pressures`].
     pub(super) dynamic: Vec<f64>,
     pub(super) whole: Vec<f64>,
-    /// Velocities whose divergence is taken, and that.
+    /// Velocities of which the divergence is taken, and the result.
     pub(super) velocities: Vec<[f64; 2]>,
     pub(super) divergence: Vec<f64>,
     pub(super) strain: Vec<[f64; 2]>,
-    /// Viscous accelerations, and what they do to the bodies.
+    /// Viscous accelerations, and the viscous forces on the bodies.
     pub(super) drag: Vec<[f64; 2]>,
     pub(super) drag_on_bodies: Vec<f64>,
-    /// Of every particle, what it loses in a step by viscosity, W, and by shifting, J.
+    /// The loss of every particle in a step by viscosity, W, and by shifting, J.
     pub(super) spent: [Vec<f64>; 2],
-    /// By the pressure that was asked for last, and by that of the step under way.
+    /// Accelerations by the pressure that was asked for last, and by that of the step under way.
     pub(super) accelerations: Vec<[f64; 2]>,
     pub(super) settled: Vec<[f64; 2]>,
     pub(super) forces: Vec<f64>,
@@ -110,8 +111,8 @@ pub struct Isph {
 }
 
 impl Isph {
-    /// Particles at their start between walls; the body number `responds` has its acceleration
-    /// solved together with its force.
+    /// Particles at their start between walls. The acceleration of the body number `responds` is
+    /// found together with its force.
     pub fn new(
         options: IsphOptions,
         ghosts: Ghosts,

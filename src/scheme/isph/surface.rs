@@ -1,4 +1,4 @@
-//! The free surface: which particles are at it, and where its zero pressure takes hold.
+//! The free surface: which particles are at it, and how its zero pressure acts on them.
 
 use super::images::Point;
 use super::lattice::Even;
@@ -12,8 +12,8 @@ const SKIN: f64 = 0.5;
 /// No particle is closer to the surface than this, in spacings.
 const CLOSEST: f64 = 0.25;
 
-/// Of the surface particles in reach: F, F times how high they are over a particle, F n, n their
-/// normal.
+/// Sums over the surface particles in reach: F, F times their height over the particle, and F n. n
+/// is their normal.
 #[derive(Clone, Copy)]
 struct Above<'a> {
     points: &'a [Point],
@@ -58,15 +58,15 @@ fn normal([sx, sy]: [f64; 2]) -> [f64; 2] {
     if length > 0.0 { [-sx / length, -sy / length] } else { [0.0, 1.0] }
 }
 
-/// Finds surface particles by ∇·r = Σ V_j (r_j - r_i)·∇_iW_ij < 1.5 (Eq. 13, sign corrected) and
-/// sets the condition p = 0 half a spacing outside them.
+/// Finds surface particles by ∇·r = Σ V_j (r_j - r_i)·∇_iW_ij < 1.5 (Eq. 13, sign corrected). Sets
+/// the condition p = 0 half a spacing outside them.
 ///
-/// Not the surface particle's own pressure is zero: that would put the surface half a spacing
-/// too low. The part of a particle's support that sticks out of the water is thought filled
-/// with points whose pressure goes on linearly from p_i through zero at the surface, at the
-/// distance d_i. Their sum 2 Σ F (p_v - p_i) is -2 |s_i|/d_i p_i, s_i = Σ F Δ over what is there:
-/// a term on the diagonal alone, exact for a linear pressure (compare Nair & Tomar 2014, whose
-/// full-support diagonal 2 (Σ_full F - Σ F) is its lower bound here).
+/// The pressure at the surface particle itself is not zero: that would put the surface half a
+/// spacing too low. Instead the empty part of a particle's support is thought to be filled with
+/// points. Their pressure goes on linearly from p_i, through zero at the surface at the distance
+/// d_i. Their sum 2 Σ F (p_v - p_i) is -2 |s_i|/d_i p_i, where s_i = Σ F Δ is over the present
+/// neighbours. This is a term on the diagonal alone, exact for a linear pressure. The full-support
+/// diagonal 2 (Σ_full F - Σ F) of Nair & Tomar 2014 is its lower bound here.
 pub(super) fn find_surface(
     operators: &mut Operators,
     (near, points): (&Near, &[Point]),

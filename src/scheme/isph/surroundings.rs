@@ -1,4 +1,4 @@
-//! What surrounds the particles at r*: neighbours, operators, surface, matrix.
+//! Neighbours, operators, surface and matrix at r*.
 
 use super::Isph;
 use super::images::{Mirrors, Point};
@@ -7,8 +7,8 @@ use super::surface::find_surface;
 use crate::body::BodyMotion;
 
 impl Isph {
-    /// The fluid in the middle of the step and its images in the walls where they will then be, in
-    /// the order of their places, with the neighbours of all particles.
+    /// Lists the neighbours of all particles: the fluid at mid-step and its images in the walls, at
+    /// the walls' positions there. All are sorted by place.
     pub(super) fn list(&mut self, bodies: &[BodyMotion], dt: f64) {
         let ahead = 0.5 * dt;
         let Carried { pressure, older_pressure, aim, response } = &mut self.carried;

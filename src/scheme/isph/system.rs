@@ -1,4 +1,4 @@
-//! The pressure equation with what solves it.
+//! The pressure equation with its solver.
 
 use crate::math::sparse::{Csr, Krylov, Preconditioner, PreconditionerChoice};
 use crate::pairs::Blocks;
@@ -11,10 +11,10 @@ pub(super) struct System {
     pub krylov: Krylov,
     pub blocks: Blocks,
     pub right: Vec<f64>,
-    /// What is solved for, the guess before that.
+    /// The unknown; at first its guess.
     pub change: Vec<f64>,
-    /// Who is connected to a particle whose pressure is held, and who is still to be asked for
-    /// others.
+    /// For the search of connected parts: particles connected to a held pressure, and those whose
+    /// neighbours are still to be visited.
     pub reached: Vec<bool>,
     pub open: Vec<u32>,
     /// L s of the particles, for Schwaiger's Laplacian.
@@ -36,8 +36,8 @@ impl System {
         }
     }
 
-    /// Every connected part of the water needs a particle whose pressure is held. A full, closed vessel has
-    /// none. There the first particle is held, at the pressure of the still level.
+    /// Holds a pressure in every connected part of the water. A full, closed vessel has no surface
+    /// that does. There the first particle is held, at the pressure of the still level.
     pub(super) fn hold_components(&mut self, grip: &[f64]) {
         let System { matrix, reached, open, .. } = self;
         reached.clear();

@@ -1,32 +1,33 @@
-//! Viscosity: that of the fluid, and that of the scheme on what a linear velocity leaves.
+//! Viscosity: that of the fluid, and an artificial one on what is not linear in the velocity.
 
 use std::cell::Cell;
 
 use super::images::Point;
 use crate::pairs::{Eight, Field, Here, Near, Neighbour, Other, Pair, Real, Record, Term};
 
-/// Viscous accelerations: 8 ν Σ F π Δ with π = (u_j - u_i)·Δ/r², Monaghan & Gingold 1983, and α h c Σ F π Δ
-/// with what is left of π without a linear, divergence-free velocity, limited so that every pair
-/// dissipates or does nothing. F = -g, Δ = r_j - r_i; both signs cancel.
+/// Viscous accelerations. The physical one is 8 ν Σ F π Δ with π = (u_j - u_i)·Δ/r², Monaghan &
+/// Gingold 1983. The artificial one is α h c Σ F π' Δ, where π' is π less its part from a linear,
+/// divergence-free velocity. It is limited, so that every pair dissipates or does nothing. F = -g,
+/// Δ = r_j - r_i; both signs cancel.
 ///
-/// Inside the water the first is ν∇²u, as 2 ν Σ F (u_j - u_i) is too (Liang et al. 2017, Eq. 3). At a free
-/// surface they differ: there the sum over what neighbours there are means that the surface bears no
-/// stress, and the stress of Eq. 3 is ν∇u in place of ν(∇u + ∇uᵀ). It takes ν|∇u|² from the water, where
-/// the viscosity of water takes 2ν E:E: twice as much of a wave.
+/// Inside the water the first is ν∇²u, like 2 ν Σ F (u_j - u_i) of Liang et al. 2017, Eq. 3. At a
+/// free surface they differ. The surface then bears no stress, but in Eq. 3 the stress is ν∇u in
+/// place of ν(∇u + ∇uᵀ). Eq. 3 takes ν|∇u|² from the water, and this one 2ν E:E as real water does:
+/// twice as much of a wave.
 #[derive(Clone, Copy)]
 struct Drag<'a> {
-    /// Of every point, images too: u, and the strain in place of the pressure.
+    /// Of every point, with images: u, and the strain rate in place of the pressure.
     records: &'a [Record],
     /// α h c.
     artificial: f64,
     /// 8 ν.
     physical: f64,
-    /// What Δ² is taken for at least, m².
+    /// Least value of Δ², m².
     least: f64,
 }
 
 impl Drag<'_> {
-    /// What one pair gives, along x and up.
+    /// The contribution of one pair, along x and up.
     #[inline(always)]
     fn of<R: Real, N: Neighbour>(
         &self,
@@ -76,7 +77,7 @@ impl Term for Drag<'_> {
     }
 }
 
-/// What the water does to the bodies, whose images drag it: the same with the opposite sign.
+/// The drag on the bodies through their images: the same with the opposite sign.
 #[derive(Clone, Copy)]
 struct Pull<'a> {
     drag: Drag<'a>,
@@ -124,8 +125,9 @@ pub(super) struct Viscosity {
 }
 
 impl Viscosity {
-    /// Adds viscous accelerations to `drag`, and what they do to the bodies to `on_bodies`. Velocities
-    /// are in the records; the strain of the water comes in place of its pressure.
+    /// Adds viscous accelerations to `drag`, and the viscous forces on bodies to `on_bodies`.
+    /// Velocities are in the records. The strain rate of the water is written in place of its
+    /// pressure.
     pub fn drag(
         &self,
         (near, points): (&mut Near, &[Point]),

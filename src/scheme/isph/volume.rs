@@ -1,16 +1,16 @@
-//! Takes back what particles lose or gain of their volume.
+//! Corrects the error of the particles' volume.
 //!
-//! The corrected divergence, which each step takes away, is no rate of change of anything that particles have. Where
-//! water splashes they come out of it farther apart: columns of 10 to 40 rows that had fallen stood 4 to 11 % too high
-//! in the end, at any solver's tolerance. How close they are is told as in δ-SPH (`wcsph/volume.rs`), by
-//! e = ½ tr Σ F ΔΔᵀ - 1 plus what that falls short by under a level surface. The step aims at a divergence of e
-//! times a rate, and not at none.
+//! Each step removes the corrected divergence, which is not the rate of change of any property of
+//! the particles. So after splashes particles are too far apart. Columns of 10 to 40 rows that had
+//! fallen stood 4 to 11 % too high in the end, at any solver's tolerance. The crowding of particles
+//! is measured as in δ-SPH (`wcsph/volume.rs`), by e = ½ tr Σ F ΔΔᵀ - 1 plus its shortfall under a
+//! level surface. The step aims at a divergence of e times a rate instead of zero.
 
 use super::Isph;
 use crate::water::VOLUME_DEPTHS;
 
 impl Isph {
-    /// The divergence that takes the error of the volume back, 1/s, added to the step's aim.
+    /// Adds the divergence that corrects the error of the volume, 1/s, to the step's aim.
     pub(super) fn aim_at_volume(&mut self) {
         let restored = &mut self.exact.restored;
         restored.clear();

@@ -1,18 +1,19 @@
-//! The pressure term of the momentum equation over pairs whose geometry is held: all that an acoustic
-//! step needs of it.
+//! The pressure term of the momentum equation over pairs whose geometry is held. It is all that an
+//! acoustic step needs of that equation.
 //!
 //! ```text
 //! Σ_j V_j p_j L_j ∇W = Σ_j g P_j (r_i - r_j) = (Σ_j g P_j) r_i - Σ_j g P_j r_j
 //! ```
-//! P = p L is a neighbour's pressure times its correction, g what ∇W V_j has before (r_i - r_j).
+//! P = p L is a neighbour's pressure times its correction. g is the factor of (r_i - r_j) in V_j
+//! ∇W.
 
 use super::Workspace;
 use super::momentum::own_pressure;
 use crate::pairs::{Double, Factors, Fluid, Held, HeldEquation, Here};
 
-/// The pressure term with new pressures, at the places, volumes and corrections of the last full step.
-/// The loads of viscosity and the response to the wall's acceleration are those of that step; the water
-/// has had viscosity's whole impulse in it.
+/// The pressure term with new pressures, at the places, volumes and corrections of the last full
+/// step. That step also gives the viscous loads and the response to the wall's acceleration. It has
+/// already given the water the whole impulse of viscosity.
 pub(super) struct Acoustic<'a> {
     pub fluid: &'a Fluid,
     pub work: &'a Workspace,
@@ -42,7 +43,7 @@ impl HeldEquation<Rows<'_>> for Acoustic<'_> {
             let [more_x, more_y] = self.pressed::<D>(here, held, body + 1);
             push_x += more_x;
             push_y += more_y;
-            // The body bears the particles' own part of these pairs, too.
+            // The body also bears the particles' own part of these pairs.
             let near = held.next_gradient();
             let [own_x, _] = own_pressure::<D>(work, self.corrected, here, near);
             let volume = here.of::<D>(&fluid.mass) * inverse_density;

@@ -1,24 +1,24 @@
-//! A start that is at rest: pressures that balance the weight in the sums that the scheme forms.
+//! A start at rest: pressures that balance the weight in the sums of the scheme.
 
 use std::ops::Range;
 
 use super::Wcsph;
 use crate::body::BodyMotion;
 
-/// Rounds of balancing: each takes off most of what the last has left.
+/// Rounds of balancing. Each removes most of the remaining imbalance.
 const ROUNDS: u32 = 12;
-/// Share of the imbalance that a round takes off: the pressure of a row also acts on the rows next to
-/// it, as far as the kernel reaches.
+/// Share of the imbalance that a round removes. It is below 1, because the pressure of a row also
+/// acts on the rows within the kernel's reach.
 const RELAXATION: f64 = 0.7;
 
 impl Wcsph {
-    /// Presses still water in level rows until no row is pushed up or down.
+    /// Presses still water in level rows until no row is pushed up or down. Only particles with
+    /// these numbers take part: column by column, `rows` to each.
     ///
-    /// Hydrostatic pressure balances gravity but for the kernel's width: rows under the surface are
-    /// left with some percent of g, and the force on a wall would settle by 0.25 % of ρgh²/2 in the
-    /// first tenths of a second where the depth has 12 rows. The imbalance ρa of each row, summed from
-    /// the surface down, is what its pressure has too much. Of the particles with these numbers alone:
-    /// column by column, `rows` to each.
+    /// Hydrostatic pressure balances gravity except for the effect of the kernel's width. Rows
+    /// under the surface are left with some percent of g. Without this, the force on a wall would
+    /// settle by 0.25 % of ρgh²/2 in the first tenths of a second where the depth has 12 rows. The
+    /// excess pressure of a row is the imbalance ρa, summed from the surface down.
     pub fn balance(&mut self, numbers: Range<usize>, rows: usize) {
         let mut trial = self.clone();
         let at_rest = vec![BodyMotion::default(); self.ghosts.bodies.len()];

@@ -4,9 +4,10 @@
 //! dρ_i/dt = ρ_i Σ_j V_j (u_i - u_j) · L_i ∇W_ij     divergence
 //!           + D_i                                   density diffusion
 //! ```
-//! L is that of the momentum equation, whose adjoint this form is: together they conserve energy. Ghosts
-//! take part in the divergence, not in the diffusion: no density flows through a wall. Those of a body that
-//! gives back (`boundary/giving.rs`) have no velocity here, and in place of it what they give.
+//! L is that of the momentum equation. This form is the adjoint of the pressure term: together they
+//! conserve energy. Ghosts take part in the divergence. They take no part in the diffusion: no
+//! density flows through a wall. Ghosts of a body that gives back (`boundary/giving.rs`) enter by
+//! what they give, not by a velocity.
 
 use super::Workspace;
 use super::correction::surface_share;
@@ -14,8 +15,8 @@ use super::diffusion::Diffusion;
 use crate::boundary::Gives;
 use crate::pairs::{Double, Factors, Flow, FlowSums, Fluid, Held, HeldEquation, Here, Own};
 
-/// The rows that the equation writes: the strain; the rates of change of density, the sums of g times
-/// the neighbours' shares in the diffusion, and tr (∇u)² at the last strain, 1/s².
+/// The rows that the equation writes: the strain rate; the rates of change of density; the sums of
+/// g times the neighbours' shares in the diffusion; tr (∇u)² at the last strain rate, 1/s².
 pub(super) type Rows<'r> = (&'r mut [[f64; 2]], [&'r mut [f64]; 3]);
 
 /// The equation.
@@ -31,16 +32,16 @@ pub(super) struct Continuity<'a, D> {
     /// δ h c0 / R.
     pub diffusion: f64,
     pub bodies: usize,
-    /// The bodies that give back to the water what work they do on it.
+    /// The bodies that give their work on the water back to it.
     pub gives: &'a [Gives<'a>],
-    /// The numbers of a bed's ghosts, with their velocities relative to those of the water beside a wall.
+    /// The numbers of a bed's ghosts, with velocities relative to the water's beside a wall.
     pub of_bed: &'a [Factors],
     pub support_radius: f64,
     /// See [`super::correction::first_row_share`].
     pub first_row: f64,
     /// Length of the step, seconds.
     pub dt: f64,
-    /// Whether the power that diffusion takes out of the elastic energy is wanted.
+    /// Whether to sum the power that diffusion takes out of the elastic energy.
     pub sample: bool,
 }
 
@@ -67,7 +68,7 @@ impl<F: Diffusion> HeldEquation<Rows<'_>> for Continuity<'_, F> {
         }
         here.put(rate, density.mul_add(divergence, diffusion));
         if self.sample {
-            // dE/dt = Σ m p/ρ² dρ/dt, by diffusion alone.
+            // dE/dt = Σ m p/ρ² dρ/dt, of diffusion alone.
             let share = here.of::<D>(&self.fluid.mass) * here.of(&self.work.pressure);
             held.tally.add_power((share * diffusion).div(density * density));
         }
@@ -75,11 +76,12 @@ impl<F: Diffusion> HeldEquation<Rows<'_>> for Continuity<'_, F> {
 }
 
 impl<F: Diffusion> Continuity<'_, F> {
-    /// Σ_j V_j (u_i - u_j) · L_i ∇W, and less what the age of the places makes of it.
+    /// Σ_j V_j (u_i - u_j) · L_i ∇W, corrected for the age of the places.
     ///
-    /// The velocities are those of mid-step, the places half a step older: seen from there, ∇u is
-    /// ∇u + ½ Δt (∇u)², and a flow without divergence seems to have ½ Δt tr (∇u)². So that much is taken
-    /// off. Left in, water that is strained gives up energy and volume in proportion to Δt.
+    /// The velocities are those of mid-step, but the places are half a step older. At those places
+    /// ∇u seems to be ∇u + ½ Δt (∇u)², and a flow without divergence seems to have ½ Δt tr (∇u)².
+    /// That much is subtracted. Without this, water that is strained loses energy and volume in
+    /// proportion to Δt.
     #[inline(always)]
     fn divergence<D: Double>(
         &self,
@@ -117,8 +119,8 @@ impl<F: Diffusion> Continuity<'_, F> {
         xx.mul_add(u_x, yy * v_y) + xy * sums.aslant(own)
     }
 
-    /// What ghosts give, less what their velocities have put into the divergence. Over a bed water within the support
-    /// radius of a wall goes along with it.
+    /// What ghosts give, less what their velocities have added to the divergence. Over a bed, water
+    /// within the support radius of a wall moves along with that wall.
     #[inline(always)]
     fn given<D: Double>(&self, here: Here, held: &Held<'_, '_>) -> D {
         let (work, zero) = (self.work, D::splat(0.0));
@@ -144,7 +146,8 @@ impl<F: Diffusion> Continuity<'_, F> {
         given.div(mass) - of_velocities
     }
 
-    /// Keeps the strain for the next full step's viscosity, and tr (∇u)², of sums Σ g (u_i - u_j) Δ.
+    /// Stores the strain rate for the next full step's viscosity, and tr (∇u)², from sums Σ g (u_i
+    /// - u_j) Δ.
     #[inline(always)]
     fn keep_strain<D: Double>(
         &self,
@@ -154,7 +157,7 @@ impl<F: Diffusion> Continuity<'_, F> {
         strain: &mut [[f64; 2]],
         turning: &mut [f64],
     ) {
-        // Of the gradient itself, not of the share of it that the balance takes.
+        // Of the gradient itself, without the share in the correction that balances still water.
         let share = surface_share(here.of::<D>(&self.work.completeness), self.first_row);
         let minus = D::splat(-1.0).div(share);
         let [u_x, u_y] = [xx.mul_add(ux, xy * uy), xy.mul_add(ux, yy * uy)];

@@ -73,7 +73,8 @@ impl Scheme for Wcsph {
         self.exchange.level(&self.ghosts, body, self.held_bodies[body].offset)
     }
 
-    /// Upwards from `from`, the first height at which the kernel's coverage Σ W V falls to 1/2.
+    /// The search goes upwards from `from`, to the first height at which the kernel's coverage Σ W
+    /// V falls to 1/2.
     fn level_in_water(&mut self, x: f64, from: f64) -> f64 {
         let radius = self.options.support_radius;
         let margin = GHOST_MARGIN * self.options.spacing;
@@ -151,8 +152,8 @@ impl Scheme for Wcsph {
 }
 
 impl Wcsph {
-    /// The elastic energy of one particle. Tension counts as far as it acts: what the surface does not feel does no
-    /// work, as it grows or as it goes.
+    /// The elastic energy of one particle. Tension counts by the share of it that acts. The part
+    /// that does not act does no work, as it grows or as it decreases.
     pub(super) fn elastic_energy_of(&self, k: usize) -> f64 {
         let (density, state) = (self.fluid.density[k], &self.options.state);
         let acting =

@@ -1,10 +1,10 @@
-//! Small symmetric matrices of a particle's neighbourhood: how complete it is, and what mends its
-//! gradients.
+//! Small symmetric matrices of a particle's neighbourhood: its completeness, and the correction of
+//! its gradients.
 
 use crate::pairs::Double;
 
-/// R ∇ρ = A⁻¹ Σ g (ρ_j - ρ_i) Δ with A = -Σ g ΔΔᵀ taken positive: signs cancel. Where fewer than
-/// three particles span the plane A is singular and the gradient is left at zero.
+/// R ∇ρ = A⁻¹ Σ g (ρ_j - ρ_i) Δ with A = -Σ g ΔΔᵀ, which is positive: signs cancel. If fewer than
+/// three particles span the plane, A is singular and the gradient is set to zero.
 #[inline(always)]
 pub(super) fn solve_symmetric<D: Double>([xx, xy, yy]: [D; 3], [bx, by]: [D; 2]) -> [D; 2] {
     let zero = D::splat(0.0);
@@ -13,7 +13,7 @@ pub(super) fn solve_symmetric<D: Double>([xx, xy, yy]: [D; 3], [bx, by]: [D; 2])
     let floor = trace * trace * D::splat(1e-4);
     let safe = determinant.max(floor.max(D::splat(1e-300)));
     let usable = |value: D| floor.select_less(determinant, value, zero);
-    // A Δ-sum of the same sign convention on both sides: minus signs cancel except one.
+    // Both sides are Δ-sums of the same sign, so all minus signs but one cancel.
     let x = (yy * bx - xy * by).div(safe);
     let y = (xx * by - xy * bx).div(safe);
     [usable(zero - x), usable(zero - y)]
@@ -28,10 +28,10 @@ pub(super) fn smallest_eigenvalue<D: Double>([xx, xy, yy]: [D; 3]) -> D {
     mean - radius
 }
 
-/// Inverse of Σ V (x_j - x_i) ⊗ ∇W, fading to the identity where the support is too incomplete
-/// for the inverse to be trusted: later beside walls (`of_walls`: their part of the sum's trace),
-/// whose ghosts move with the water. Under the surface only a share of it is taken: see
-/// [`surface_share`].
+/// Inverse of Σ V (x_j - x_i) ⊗ ∇W. It fades to the identity where the support is too incomplete
+/// for the inverse to be trusted. Beside walls it fades later, because their ghosts move with the
+/// water; `of_walls` is their part of the sum's trace. Under the surface only a share of it is
+/// taken: see [`surface_share`].
 #[inline(always)]
 pub(super) fn correction<D: Double>(
     [xx, xy, yy]: [D; 3],
@@ -54,14 +54,16 @@ pub(super) fn correction<D: Double>(
     [yy.mul_add(share, rest), zero - xy * share, xx.mul_add(share, rest)]
 }
 
-/// Share of the inverse that makes linear pressure the balance of still water under a flat surface.
+/// Share of the inverse with which linear pressure balances still water under a flat surface.
 ///
-/// Pairs push with V_i V_j (p_i L_i + p_j L_j), and with L the inverse whole, the second row of
-/// particles must bear half a spacing of water less than lies on it. Asked for the share at which
-/// ρ g d balances, row by row, square and hexagonal lattices that lie level or askew all answer
-/// alike as a function of their rows' completeness, which this follows: `first_row` up to 0.5, where
-/// the first row is, some 0.65 from 0.6 to 0.75, 1 inside the water. The divergence has the same L,
-/// so energy is conserved as before; and water that keeps its volume keeps it whatever the share.
+/// Pairs push with V_i V_j (p_i L_i + p_j L_j). If L were the whole inverse, the second row of
+/// particles would have to bear half a spacing of water less than lies on it. So the share was
+/// found at which ρ g d balances, row by row. It depends on the completeness of the rows alone, on
+/// square and hexagonal lattices, level or askew. It is `first_row` up to 0.5, where the first row
+/// is, some 0.65 from 0.6 to 0.75, and 1 inside the water.
+///
+/// The divergence has the same L, so energy is conserved as before. Water that keeps its volume
+/// does so for any share.
 #[inline(always)]
 pub(super) fn surface_share<D: Double>(completeness: D, first_row: f64) -> D {
     const FROM: f64 = 0.5;
@@ -77,12 +79,12 @@ pub(super) fn surface_share<D: Double>(completeness: D, first_row: f64) -> D {
     (rise * fall).negated_mul_add(D::splat(LEFT_OUT), one + first)
 }
 
-/// The share of the first row under a flat surface, for a support of so many spacings (of Wendland
-/// C2, or as wide a kernel).
+/// The share of the first row under a flat surface, for a support of this many spacings (of
+/// Wendland C2, or of a kernel as wide).
 ///
-/// The wider the support, the more rows share what the first one must bear. Square and hexagonal
-/// lattices that lie level ask for 1.04 and 1.11 at 4 spacings, 1.16 and 1.26 at 4.5, 1.31 and 1.42 at
-/// 5, 1.60 and 1.73 at 6; below 4 it stays 1.
+/// The wider the support, the more rows share the load of the first one. Square and hexagonal
+/// lattices that lie level need 1.04 and 1.11 at 4 spacings, 1.16 and 1.26 at 4.5, 1.31 and 1.42 at
+/// 5, 1.60 and 1.73 at 6. Up to 4 it is 1.
 pub(super) fn first_row_share(support: f64) -> f64 {
     const FROM: f64 = 4.0;
     const RISE: f64 = 0.3;
@@ -95,7 +97,7 @@ mod tests {
     use crate::kernel::KernelChoice;
     use crate::math::simd::{Lanes, SimdPath, Task, dispatch};
 
-    /// L of [`correction`], away from walls, and the share in it.
+    /// L of [`correction`] away from walls, and its share.
     struct Corrected([f64; 3], f64);
 
     impl Task for Corrected {
@@ -110,8 +112,8 @@ mod tests {
         }
     }
 
-    /// Points of a lattice with a point to the unit of area, turned by an angle and moved so that
-    /// the surface, y = 0, lies half a row's distance above the first row.
+    /// Points of a lattice with one point per unit of area, turned by an angle. The surface, y = 0,
+    /// lies half a row's distance above the first row.
     fn half_plane(steps: [[f64; 2]; 2], angle: f64, row: f64) -> Vec<[f64; 2]> {
         let (sine, cosine) = angle.sin_cos();
         let range = -30..=30;
@@ -124,8 +126,8 @@ mod tests {
             .collect()
     }
 
-    /// The imbalance of still water under linear pressure, in units of g: root mean square over the
-    /// rows of the first five spacings, with the share and with the whole of L.
+    /// The imbalance of still water under linear pressure, in units of g. It is the root mean
+    /// square over the rows of the first five spacings, with the share and with the whole inverse.
     fn imbalance(points: &[[f64; 2]], support: f64) -> [f64; 2] {
         let kernel = KernelChoice::WendlandC2;
         let slope = kernel.normalisation() / support.powi(3);
@@ -190,7 +192,7 @@ mod tests {
             (hexagonal, 0.0, 0.75_f64.sqrt() * side, 0.03),
             (hexagonal, right, 0.5 * side, 0.1),
         ] {
-            // Wider supports leave the rows a little less even, and need the share a little less.
+            // Wider supports balance the rows a little worse, and need the share a little less.
             for (support, more, least) in [(4.0, 0.0, 0.12), (4.5, 0.002, 0.1), (5.0, 0.002, 0.1)] {
                 let [shared, whole] = imbalance(&half_plane(steps, angle, row), support);
                 println!("{angle:.2}, {support}: {shared:.3} g, with the whole of L {whole:.3} g");

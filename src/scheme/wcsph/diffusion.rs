@@ -1,36 +1,37 @@
-//! Density diffusion: one type for each formulation, and all that it needs.
+//! Density diffusion: one type for each formulation, with its data.
 //!
 //! ```text
 //! D_i = δ h c0 Σ_j V_j s_j ψ_ij · ∇W,   ψ_ij = 2 (ψ_j - ψ_i) x_ji/|x_ji|²,  or as the formulation has it
 //! ```
-//! So D_i is a sum of differences: 2 δ h c0/R (ψ_i Σ g s_j - Σ g s_j ψ_j), with g V_j ∇W over Δ.
+//! So D_i is a sum of differences: 2 δ h c0/R (ψ_i Σ g s_j - Σ g s_j ψ_j). g is the factor of Δ in
+//! V_j ∇W.
 
 use super::correction::solve_symmetric;
 use crate::pairs::{Double, Eight, Factors, Held, Here, Neighbour, Other, Pair, Real, Term};
 
 /// A formulation.
 pub(super) trait Diffusion: Copy + Sync {
-    /// Whether there is any.
+    /// Whether there is any diffusion.
     const ON: bool = true;
-    /// Of a neighbour, by what it smooths: its share times ψ, and its share.
+    /// Of a neighbour, from the smoothed field: its share times ψ, and its share.
     #[inline(always)]
     fn neighbour<D: Double>(self, _: Here, smoothed: D) -> [D; 2] {
         [smoothed, D::splat(1.0)]
     }
-    /// The sum over the pairs, up to the factor δ h c0/R: of the particle's own ψ, of Σ g s_j ψ_j and
-    /// Σ g s_j.
+    /// The sum over the pairs without the factor δ h c0/R. It is made from the particle's own ψ, Σ
+    /// g s_j ψ_j and Σ g s_j.
     #[inline(always)]
     fn rate<D: Double>(self, _: Here, _: &Held<'_, '_>, own: D, [smoothed, share]: [D; 2]) -> D {
         own.mul_sub(share, smoothed) * D::splat(2.0)
     }
-    /// What of the rate is left where the particle itself takes part in the diffusion.
+    /// The rate times the particle's own share in the diffusion.
     #[inline(always)]
     fn faded<D: Double>(self, _: Here, rate: D) -> D {
         rate
     }
 }
 
-/// Runs `$body` with the formulation that was chosen: an arm for each.
+/// Runs `$body` with the chosen formulation: an arm for each.
 macro_rules! with_diffusion {
     ($choice:expr, $work:expr, $slants:expr, $formulation:ident => $body:expr) => {{
         use $crate::scheme::wcsph::{DensityDiffusion, diffusion};
@@ -59,7 +60,7 @@ macro_rules! with_diffusion {
 }
 pub(super) use with_diffusion;
 
-/// None: standard weakly compressible SPH.
+/// No diffusion: standard weakly compressible SPH.
 #[derive(Clone, Copy)]
 pub(super) struct NoDiffusion;
 
@@ -73,11 +74,11 @@ pub(super) struct Molteni;
 
 impl Diffusion for Molteni {}
 
-/// Molteni's with ψ = ρ_s (ln(ρ/ρ_s) + g y/c0²), uniform in still water; faded out towards the free
-/// surface on both sides of a pair.
+/// Molteni's with ψ = ρ_s (ln(ρ/ρ_s) + g y/c0²), which is uniform in still water. It fades out
+/// towards the free surface, on both sides of a pair.
 #[derive(Clone, Copy)]
 pub(super) struct Hydrostatic<'a> {
-    /// How much each particle takes part.
+    /// Share of each particle in the diffusion.
     pub share: &'a [f64],
 }
 
@@ -93,15 +94,15 @@ impl Diffusion for Hydrostatic<'_> {
     }
 }
 
-/// Of Antuono et al. 2010 (Huang et al. 2019, Eqs. 5-6): ψ_ij less the mean of both renormalised
-/// gradients, with 2 ψ - r·∇ψ in place of a neighbour's ψ.
+/// Of Antuono et al. 2010 (Huang et al. 2019, Eqs. 5-6). The mean of both renormalised gradients is
+/// subtracted from ψ_ij: a neighbour's ψ becomes 2 ψ - r·∇ψ.
 #[derive(Clone, Copy)]
 pub(super) struct Renormalised<'a> {
     /// R ∇ψ.
     pub gradient: [&'a [f64]; 2],
     /// Places over R.
     pub places: [&'a [f64]; 2],
-    /// R ∇ψ and the place of each particle, four numbers: for its rate alone.
+    /// R ∇ψ and the place of each particle, four numbers: only for the rate.
     pub slants: &'a [Factors],
 }
 
@@ -124,7 +125,7 @@ impl Diffusion for Renormalised<'_> {
         let [slopes_x, slopes_y, places_x, places_y] = held.sum::<D, 4>(0, self.slants);
         let ([own_x, own_y], [x, y]) =
             (here.all::<D, 2>(self.gradient), here.all::<D, 2>(self.places));
-        // Less (∇_i + ∇_j)·(r_i - r_j).
+        // Subtracts (∇_i + ∇_j)·(r_i - r_j).
         let (near_x, near_y) = (x.mul_sub(share, places_x), y.mul_sub(share, places_y));
         let slant = own_x.mul_add(near_x, own_y * near_y);
         plain - y.mul_add(slopes_y, x.mul_add(slopes_x, slant))
@@ -140,7 +141,7 @@ pub(super) struct DensityGradient<'a> {
 }
 
 impl<'a> DensityGradient<'a> {
-    /// Of this field.
+    /// The gradient of this field.
     pub fn of(diffused: &'a [f64], rest: f64) -> DensityGradient<'a> {
         DensityGradient { diffused, rest }
     }

@@ -1,4 +1,4 @@
-//! New places, and all that comes of them particle by particle.
+//! New places, and all that follows from them particle by particle.
 
 use super::passes::{TENSION_FROM, TENSION_FULL};
 use super::pressing::Pressing;
@@ -11,8 +11,8 @@ use crate::water::{HoldInside, Slack};
 /// Where the water takes no pressure.
 const SLACK: Slack = Slack { spray: [0.45, 0.25], tension: [TENSION_FULL, TENSION_FROM] };
 
-/// New densities and places. Where an acoustic step is next, the water is held inside, and has new
-/// pressures.
+/// New densities and places. If an acoustic step is next, the water is also held inside and gets
+/// new pressures.
 struct Drift<'a> {
     /// How many particles there are.
     all: usize,
@@ -23,18 +23,18 @@ struct Drift<'a> {
     next: Option<Next<'a>>,
 }
 
-/// What is done for an acoustic step: see [`super::acoustic::Acoustic`] for what a neighbour's pressures
-/// are.
+/// The work for an acoustic step. For a neighbour's numbers see [`super::acoustic::Acoustic`].
 struct Next<'a> {
     inside: HoldInside<'a>,
     pressing: Pressing<'a>,
     /// Places over R.
     places: [&'a [f64]; 2],
-    /// The kernel gradient's: xx, xy, yy.
+    /// The kernel gradient's correction: xx, xy, yy.
     correction: [&'a [f64]; 3],
 }
 
-/// Rows of places, velocities and densities; of pressures and what diffusion smooths; then the numbers.
+/// Rows of places, velocities and densities; of pressures and the field that diffusion smooths; of
+/// the neighbours' numbers.
 type Rows<'r> = (([&'r mut [f64]; 5], [&'r mut [f64]; 2]), &'r mut [Factors]);
 
 impl Summed<Rows<'_>> for Drift<'_> {
@@ -64,14 +64,15 @@ impl Summed<Rows<'_>> for Drift<'_> {
     }
 }
 
-/// Relaxes the density of particles that feel no pressure: spray with too few neighbours, and water near
-/// the surface that would be under tension. Both are at the pressure of the air. And that of water near the
-/// surface that would press harder than it can: see [`super::WcsphOptions::most_at_surface`].
+/// Relaxes the density of particles that are at the pressure of the air. These are spray with too
+/// few neighbours, and water near the surface that would be under tension. It also relaxes water
+/// near the surface that is pressed harder than is possible: see
+/// [`super::WcsphOptions::most_at_surface`].
 struct Settling<'a> {
     state: StateEquation,
-    /// How much of a difference goes in the step.
+    /// Share of a difference that is removed in the step.
     rate: f64,
-    /// The largest density that water near the surface keeps, kg/m³.
+    /// The largest density that water near the surface can keep, kg/m³.
     most: f64,
     completeness: &'a [f64],
     tension: &'a [f64],
@@ -79,7 +80,8 @@ struct Settling<'a> {
 }
 
 impl Settling<'_> {
-    /// Relaxes densities; tells the elastic energy that each particle without a complete support gains.
+    /// Relaxes densities; returns the elastic energy that each particle with an incomplete support
+    /// gains.
     #[inline(always)]
     fn at<D: Double>(&self, here: Here, all: usize, density: &mut [f64]) -> D {
         if !here.of::<D>(self.completeness).any_less(D::splat(TENSION_FULL)) {
@@ -106,7 +108,7 @@ impl Settling<'_> {
         if rise == 0.0 {
             return 0.0;
         }
-        // Tension that did no work as it grew takes none away.
+        // Tension that did no work as it grew takes no energy away.
         let acting = if rise > 0.0 { self.tension[k] } else { 1.0 };
         *density += rise;
         self.mass[k] * acting * (state.elastic_energy(*density) - state.elastic_energy(now))
@@ -114,8 +116,8 @@ impl Settling<'_> {
 }
 
 impl Wcsph {
-    /// New densities and places, in a step between bodies; and, where an acoustic one is next, pressures
-    /// for it. Returns the energy that goes.
+    /// New densities and places in a step between bodies. If an acoustic step is next, also its
+    /// pressures. Returns the energy that is lost.
     pub(super) fn drift(&mut self, dt: f64, bodies: &[BodyMotion], acoustic_is_next: bool) -> f64 {
         let (all, n, options) = (self.fluid.len(), self.fluid.padded_len(), &self.options);
         let Workspace { carried, pressure, completeness, scaled_x, scaled_y, .. } = &mut self.work;
@@ -173,7 +175,7 @@ mod tests {
                 .sum();
             (densities, gained)
         };
-        // Inside, and in sound, nothing happens but to spray.
+        // At pressures that sound can have, only spray changes.
         let (sound, _) = settled(1079.0);
         assert_eq!(sound[..4], [1079.0; 4]);
         assert!((sound[4] - 1039.5).abs() < 1e-9, "{sound:?}");

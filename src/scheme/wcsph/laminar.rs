@@ -1,10 +1,10 @@
-//! Physical viscosity, for water that has any.
+//! Physical viscosity, for water that has one.
 //!
 //! ```text
 //! ρ_i du_i/dt = 8 ν ρ0 Σ_j V_j (u_ij · x_ij)/|x_ij|² ∇W_ij
 //! ```
-//! This is ν∇²u in the form of Monaghan & Gingold 1983, which keeps linear and angular momentum; 8 is
-//! 2 (d + 2) in d = 2 dimensions.
+//! This is ν∇²u in the form of Monaghan & Gingold 1983, which conserves linear and angular
+//! momentum. 8 is 2 (d + 2) in d = 2 dimensions.
 
 use super::Workspace;
 use super::viscosity::halfway;
@@ -45,8 +45,8 @@ impl Term for Drag<'_> {
     }
 }
 
-/// Adds the term to the accelerations, over the pairs that the momentum equation has just held. Like
-/// artificial viscosity it does in a full step all that it does until the next.
+/// Adds the term to the accelerations, over the pairs that the momentum equation has just held.
+/// Like artificial viscosity it acts in a full step for all steps until the next full one.
 pub(super) struct Laminar<'a> {
     pub fluid: &'a Fluid,
     pub work: &'a Workspace,

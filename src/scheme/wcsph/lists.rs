@@ -1,4 +1,4 @@
-//! Neighbour lists: where the water will be, and what is listed with it.
+//! Neighbour lists, and prediction of the positions for which they are made.
 
 use super::Wcsph;
 use crate::body::BodyMotion;
@@ -6,7 +6,7 @@ use crate::math::simd::dispatch;
 use crate::pairs::{Extrapolate, PointSet};
 
 impl Wcsph {
-    /// Makes new lists where a pair may have come into reach unseen.
+    /// Makes new lists if a pair may have come into reach unseen.
     pub(super) fn refresh_lists(&mut self, bodies: &[BodyMotion]) {
         let n = self.fluid.len();
         let offsets = || bodies.iter().map(|body| body.offset);
@@ -20,8 +20,8 @@ impl Wcsph {
         }
     }
 
-    /// Where the particles will be in the middle of the stretch that the coming full step stands
-    /// for: the geometry that it holds is then as much ahead of time as it will lag.
+    /// Predicts the particles' positions in the middle of the stretch that the coming full step
+    /// stands for. So the held geometry is as much ahead of time at first as it lags at the end.
     fn look_ahead(&mut self) {
         let (fluid, work, lead) = (&self.fluid, &self.work, self.lead);
         // Velocities are those of half a step ago.

@@ -1,12 +1,12 @@
 //! Weakly compressible δ-SPH (Huang et al. 2019, Eqs. 1-7).
 //!
-//! A step is symplectic Euler in two halves, so that the caller can settle the motion of walls in
-//! between: [`Wcsph::prepare`] finds forces at the old places; [`Wcsph::finish`] kicks the
+//! A step is symplectic Euler in two halves, so that the caller can find the motion of walls in
+//! between. [`Wcsph::prepare`] finds forces at the old places. [`Wcsph::finish`] kicks the
 //! velocities, finds the density rates with the new velocities at the old places, and drifts.
 //!
 //! Of every `acoustic_substeps` steps only the first is full. The others follow the sound alone:
-//! new pressures and velocities over pairs whose geometry and corrections are held. Their forces are
-//! found at the end of the step before, in one go with its densities and places.
+//! new pressures and velocities over pairs with held geometry and corrections. Their forces are
+//! found at the end of the step before, together with its densities and places.
 
 mod acoustic;
 mod balance;
@@ -42,14 +42,14 @@ use crate::boundary::Water;
 use crate::pairs::{Double, Here, Record, Tally};
 use momentum::FOUND;
 
-/// What one step hands to the next, besides the fluid itself; one entry per (padded) particle.
+/// Data that one step hands to the next, besides the fluid itself; one entry per (padded) particle.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 struct Carried {
     /// The kernel gradient's correction, xx, xy, yy.
     correction_xx: Vec<f64>,
     correction_xy: Vec<f64>,
     correction_yy: Vec<f64>,
-    /// How much of a negative pressure counts.
+    /// Share of a negative pressure that acts.
     tension: Vec<f64>,
     /// Accelerations of the step before a full one.
     last_acceleration_x: Vec<f64>,
@@ -57,7 +57,8 @@ struct Carried {
     density_rate: Vec<f64>,
     /// tr (∇u)², 1/s²: see [`continuity::Continuity`].
     turning: Vec<f64>,
-    /// The correction as it was found last, xx, xy, yy, where it is taken on to the present; empty before.
+    /// The correction as it was found last, xx, xy, yy, where the correction is extrapolated; empty
+    /// before.
     found_correction: [Vec<f64>; 3],
 }
 
@@ -66,7 +67,7 @@ impl Carried {
         [&self.correction_xx, &self.correction_xy, &self.correction_yy]
     }
 
-    /// All fields in use, to be put into another order.
+    /// All fields in use, for a change of order.
     fn all_mut(&mut self) -> impl Iterator<Item = &mut Vec<f64>> {
         let [xx, xy, yy] =
             [&mut self.correction_xx, &mut self.correction_xy, &mut self.correction_yy];
@@ -91,9 +92,9 @@ struct Workspace {
     acceleration_y: Vec<f64>,
     /// 1/ρ of the last full step.
     inverse_density: Vec<f64>,
-    /// How much of the density diffusion each particle takes part in.
+    /// Share of each particle in the density diffusion.
     diffused_share: Vec<f64>,
-    /// Σ g times the neighbours' shares, since the last full step.
+    /// Σ g times the neighbours' shares, from the last full step.
     shares: Vec<f64>,
     /// R ∇ρ.
     gradient_x: Vec<f64>,
@@ -152,7 +153,7 @@ impl Workspace {
         }
     }
 
-    /// What the ghosts read of the water.
+    /// The data of the water that the ghosts read.
     fn water<'a>(&'a self, records: &'a [Record], corrected: bool) -> Water<'a> {
         let correction = corrected.then(|| self.carried.correction());
         let acceleration = [&*self.carried.last_acceleration_x, &self.carried.last_acceleration_y];
@@ -165,7 +166,7 @@ impl Workspace {
         here.all(self.carried.correction())
     }
 
-    /// What the pass of a full step writes, and does not read.
+    /// The fields that the pass of a full step writes and does not read.
     fn found_mut(&mut self) -> [&mut Vec<f64>; FOUND] {
         [
             &mut self.inverse_density,

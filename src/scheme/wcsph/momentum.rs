@@ -6,9 +6,9 @@
 //!               - ρ_i g                                 gravity
 //! π_ij = (u_ij · x_ij) / |x_ij|²
 //! ```
-//! L is the correction of the kernel's gradient, that of one step before: the identity without
-//! `CORRECTED`. Pairs are antisymmetric, with ρ0 in place of the paper's ρ_i before π_ij, so momentum is
-//! conserved. Distances are over R, the support radius.
+//! L is the correction of the kernel's gradient from one step before; without `CORRECTED` it is the
+//! identity. Pairs are antisymmetric, with ρ0 in place of the paper's ρ_i before π_ij. So momentum
+//! is conserved. Distances are over R, the support radius.
 
 use super::Workspace;
 use super::diffusion::DensityGradient;
@@ -20,7 +20,7 @@ use crate::pairs::{
     loaded,
 };
 
-/// How many fields the equation writes: see [`Workspace::found_mut`].
+/// Number of fields that the equation writes: see [`Workspace::found_mut`].
 pub(super) const FOUND: usize = 11;
 
 /// Σ_j V_j p_j L_j ∇W: the neighbours' part of the pressure term. A particle's own part is
@@ -55,11 +55,11 @@ impl<const CORRECTED: bool> Term for Pressure<CORRECTED> {
     }
 }
 
-/// The equation, with what else the same pairs give: the support of each particle, and with `GRADIENTS`
-/// the renormalised density gradient.
+/// The equation, with other results of the same pairs: the support of each particle, and with
+/// `GRADIENTS` the renormalised density gradient.
 pub(super) struct Momentum<'a, const CORRECTED: bool, const VISCOUS: bool, const GRADIENTS: bool> {
     pub fluid: &'a Fluid,
-    /// What is not written: see [`Workspace::found_mut`].
+    /// Fields that are not written: see [`Workspace::found_mut`].
     pub work: &'a Workspace,
     /// What density diffusion smooths, kg/m³.
     pub diffused: &'a [f64],
@@ -69,7 +69,7 @@ pub(super) struct Momentum<'a, const CORRECTED: bool, const VISCOUS: bool, const
     pub responses: &'a [[f64; 3]],
     /// Body whose ghosts respond to its acceleration.
     pub responds: usize,
-    /// What the support of a particle is good for.
+    /// How the support of a particle is evaluated.
     pub support: Support,
     /// α h c0 ρ0 / R.
     pub viscosity: f64,
@@ -191,7 +191,7 @@ impl<const CORRECTED: bool, const VISCOUS: bool, const GRADIENTS: bool>
         for body in 0..around.bodies() {
             let Some((wall, response)) = self.of_wall::<D>(body, here, around) else { continue };
             all.add(&wall);
-            // The body's reaction: minus the force of its ghosts on the water.
+            // The body's reaction is minus the force of its ghosts on the water.
             let viscous = (wall.drag[0] * volume).sum();
             let force = viscous + (wall.push[0] * volume).sum();
             let mut added_mass = 0.0;
@@ -203,7 +203,7 @@ impl<const CORRECTED: bool, const VISCOUS: bool, const GRADIENTS: bool>
             around.tally.loads.push((body, [-force, -viscous, -added_mass]));
         }
         let Share { push, drag, gradient, moment } = all;
-        // All that viscosity does until the next full step, it does now.
+        // Viscosity acts now for all steps until the next full one.
         let steps = D::splat(self.steps);
         let force = [drag[0].mul_add(steps, push[0]), drag[1].mul_add(steps, push[1])];
         let along = force[0] * inverse_density;

@@ -1,4 +1,4 @@
-//! Velocities and places: kick, drift, and what keeps particles in good order.
+//! Velocities and places: kick, drift, and what keeps particles evenly spread.
 
 use super::shifting::Shift;
 use super::volume::Restore;
@@ -9,18 +9,19 @@ use crate::math::simd::dispatch;
 use crate::pairs::{Fluid, Ramp};
 use crate::water::HoldInside;
 
-/// Hydrostatic density diffusion fades in from this completeness: near the surface the discrete
-/// balance differs from the exact one, and diffusion would forever work against it ...
+/// Hydrostatic density diffusion fades in from this completeness ... Near the surface the discrete
+/// balance differs from the exact one, and diffusion would always work against it.
 const DIFFUSE_FROM: f64 = 0.9;
-/// ... to this one.
+/// ... to this one, where it is full.
 const DIFFUSE_FULL: f64 = 0.99;
 
-/// A correction is taken on by this much at most, in any of its components. Up to H/h = 0.3 waves stay below.
-/// Where a jet lands, it may change by half within a full step, and the change says nothing of the next one.
+/// Most by which the extrapolation changes any component of a correction. Waves up to H/h = 0.3
+/// stay below. Where a jet lands, the correction may change by half within a full step. That change
+/// says nothing of the next one.
 const MOST_TAKEN_ON: f64 = 0.1;
 
 impl Wcsph {
-    /// Adds to the accelerations what the wall's own brings about, and the field.
+    /// Adds to the accelerations the effect of the wall's own acceleration, and the field.
     pub(super) fn complete_accelerations(&mut self, wall_acceleration: f64) {
         let (fluid, work) = (&self.fluid, &mut self.work);
         if wall_acceleration != 0.0 {
@@ -38,7 +39,7 @@ impl Wcsph {
         }
     }
 
-    /// Finds how much of the density diffusion each particle takes part in until the next full step.
+    /// Finds the share of each particle in the density diffusion until the next full step.
     pub(super) fn find_diffused_shares(&mut self) {
         if self.options.density_diffusion == DensityDiffusion::Hydrostatic {
             let (values, shares) = (&*self.work.completeness, &mut *self.work.diffused_share);
@@ -58,7 +59,7 @@ impl Wcsph {
                 .map(|(body, motion)| body.plane.moved(motion.offset).moved(dt * motion.velocity)),
         );
         if self.ghosts.crest.is_some() {
-            // The outline stands for it: water may go over it.
+            // Here the outline is the wall: water may go over it.
             let wall = &mut self.planes[Place::Right.number()];
             *wall = Plane::nowhere(wall.normal);
         }
@@ -69,8 +70,8 @@ impl Wcsph {
         }
     }
 
-    /// Shifts the particles, if they are, for the time since the last full step; returns the energy
-    /// that goes.
+    /// Shifts the particles, if that is wanted, for the time since the last full step. Returns the
+    /// energy that is lost.
     pub(super) fn shift(&mut self, fades_in: [f64; 2]) -> f64 {
         let n = self.fluid.padded_len();
         let Fluid { x, y, vx, vy, density, mass, .. } = &mut self.fluid;
@@ -90,8 +91,8 @@ impl Wcsph {
         -self.pairs.sum_each(rows, &shift)
     }
 
-    /// Takes back the volume that was lost since the last full step, if that is wanted; returns the energy
-    /// that goes.
+    /// Corrects the volume that was lost since the last full step, if that is wanted. Returns the
+    /// energy that is lost.
     pub(super) fn restore_volume(&mut self) -> f64 {
         let Some(shortfall) = &self.shortfall else { return 0.0 };
         let options = &self.options;
@@ -110,7 +111,7 @@ impl Wcsph {
         -self.pairs.sum_each(&mut density[..n], &restore)
     }
 
-    /// Holds the particles in front of the walls; returns the energy that goes.
+    /// Holds the particles in front of the walls. Returns the energy that is lost.
     pub(super) fn hold_inside(&mut self, bodies: &[BodyMotion]) -> f64 {
         let (n, all) = (self.fluid.padded_len(), self.fluid.len());
         let WcsphOptions { spacing, gravity, .. } = self.options;
@@ -121,11 +122,12 @@ impl Wcsph {
         -self.pairs.sum_each(rows, &hold)
     }
 
-    /// Takes the correction that the last pass has found, for the full step to come. With
-    /// `extrapolated_correction` it is taken on by as much as it has changed since the one found before, if
-    /// there was one: L + (L - L_before), but by no more than [`MOST_TAKEN_ON`].
+    /// Takes the correction that the last pass has found for the coming full step. With
+    /// `extrapolated_correction` its last change is added once more: L + (L - L_before). The change
+    /// is at most [`MOST_TAKEN_ON`]. The first correction has none.
     ///
-    /// A correction that lags lets the pressure push a little too late all the time, and so feeds waves.
+    /// Without this, the correction lags and the pressure always pushes a little too late. This
+    /// feeds waves.
     pub(super) fn take_next_correction(&mut self) {
         let work = &mut self.work;
         if self.options.extrapolated_correction {

@@ -65,7 +65,7 @@ pub struct WcsphOptions {
     pub still_depth: f64,
     /// Kernel gradients corrected to first order.
     pub corrected_gradients: bool,
-    /// The correction of a step before, taken on to the present: L + (L - L_before).
+    /// The correction of a step before, extrapolated to the present: L + (L - L_before).
     pub extrapolated_correction: bool,
     /// Density diffusion.
     pub density_diffusion: DensityDiffusion,
@@ -73,34 +73,34 @@ pub struct WcsphOptions {
     pub diffusion_coefficient: f64,
     /// α.
     pub artificial_viscosity: f64,
-    /// Whether it acts on pairs alone that lose energy by it.
+    /// Whether viscosity acts only on pairs that lose energy by it.
     pub limited_viscosity: bool,
     /// Shifting.
     pub shifting: Shifting,
     /// A, see [`super::Wcsph::finish`].
     pub shifting_coefficient: f64,
-    /// How fast densities follow the error of the volume, over c0/R: see `volume.rs`.
+    /// How fast densities correct the error of the volume, over c0/R: see `volume.rs`.
     pub volume_feedback: f64,
-    /// The bed gives back to the water what work it does on it.
+    /// The bed gives its work on the water back to it.
     pub conservative_bed: bool,
-    /// So does a wall that ends in a crest, with what is behind it.
+    /// So does a wall that ends in a crest, with the ground behind it.
     pub conservative_crest: bool,
-    /// Whether water near the surface gives up pressure that it cannot have.
+    /// Whether water near the surface gives up pressure that is higher than it can have.
     pub surface_relief: bool,
-    /// γ of the pressure's lead, in time steps.
+    /// γ: the time by which pressures are ahead of densities, in time steps.
     pub bulk_damping: f64,
     /// Steps per full step, at least 1.
     pub acoustic_substeps: u32,
     /// Precision of the pair terms.
     pub precision: Precision,
-    /// ν, m²/s: physical viscosity, besides the artificial one; 0 for none.
+    /// ν, m²/s: physical viscosity, besides the artificial one; 0 if there is none.
     pub kinematic_viscosity: f64,
     /// A force towards a centre.
     pub field: Option<CentralField>,
 }
 
-/// How high above the bed a solitary wave can throw water up a wall, over the depth: 1 + 4 H/h. H/h = 1 is taken, which
-/// no such wave has.
+/// Height above the bed to which a solitary wave can throw water up a wall, over the depth: 1 + 4
+/// H/h. H/h = 1 is taken, which no solitary wave has.
 const HIGHEST_FALL: f64 = 5.0;
 
 impl WcsphOptions {
@@ -109,11 +109,11 @@ impl WcsphOptions {
         self.kernel.smoothing_length_ratio() * self.support_radius
     }
 
-    /// The largest density that water near the surface keeps, kg/m³; infinite where any is kept.
+    /// The largest density that water near the surface can keep, kg/m³; infinite without a limit.
     ///
-    /// Steady flow presses no harder than at its stagnation points: with the head of the highest fall, to which
-    /// [`HIGHEST_FALL`] is. What is more is sound, and the surface lets that go within the time in which it
-    /// crosses the support.
+    /// In steady flow the largest pressure is that at stagnation points. Here the head is that of
+    /// the highest fall, [`HIGHEST_FALL`]. A higher pressure is sound. The surface relieves it
+    /// within the time in which sound crosses the support.
     pub(super) fn most_at_surface(&self) -> f64 {
         if !self.surface_relief {
             return f64::INFINITY;
@@ -126,7 +126,7 @@ impl WcsphOptions {
         first_row_share(2.0 * self.smoothing_length() / self.spacing)
     }
 
-    /// Minus the hydrostatic ∂ρ/∂y that density diffusion leaves alone, kg/m⁴.
+    /// Minus the hydrostatic ∂ρ/∂y on which density diffusion does not act, kg/m⁴.
     pub(super) fn hydrostatic_slope(&self) -> f64 {
         match self.density_diffusion {
             DensityDiffusion::Hydrostatic => {

@@ -1,11 +1,11 @@
-//! Water that has gone over a crest leaves for good.
+//! Removes water that has gone over a crest.
 
 use super::{DensityDiffusion, Wcsph, Workspace};
 use crate::pairs::{Factors, Record, gather};
 
 impl Wcsph {
-    /// Takes away what is gone over the crest, and books it. Lists must be made anew after it, so it goes
-    /// with them.
+    /// Removes water that has gone over the crest, and records it. Lists must be made again after
+    /// that, so this is done with them.
     pub(super) fn take_away(&mut self) {
         let Some(crest) = &self.ghosts.crest else { return };
         let gone = |k: usize| crest.is_gone([self.fluid.x[k], self.fluid.y[k]]);
@@ -36,8 +36,8 @@ impl Wcsph {
         self.make_room();
     }
 
-    /// Gives all arrays the size that the water asks for, where that has changed. What is carried from step
-    /// to step stays.
+    /// Resizes all arrays if the number of particles has changed. Data carried from step to step
+    /// stay.
     pub(super) fn make_room(&mut self) {
         let padded = self.fluid.padded_len();
         if self.diffused.len() == padded {

@@ -1,4 +1,4 @@
-//! What the pair loops read of each particle, packed ahead of them.
+//! The data of each particle, packed for the pair loops.
 
 use super::diffusion::{Diffusion, with_diffusion};
 use super::pressing::Pressing;
@@ -10,13 +10,14 @@ struct Whole<'a> {
     pressing: Pressing<'a>,
     scaling: Scaling,
     fluid: &'a Fluid,
-    /// Where the particles will be.
+    /// The predicted positions.
     ahead: [&'a [f64]; 2],
-    /// Kernel gradient's, without corrections the identity: xx, xy, yy.
+    /// The kernel gradient's correction, xx, xy, yy; the identity without corrections.
     correction: [&'a [f64]; 3],
 }
 
-/// Rows of the pressure, of what diffusion smooths, and of the places over R; then the records.
+/// Rows of the pressure, of the field that diffusion smooths, and of the places over R; then the
+/// records.
 type WholeRows<'r> = ([&'r mut [f64]; 4], &'r mut [Record]);
 
 impl Each<WholeRows<'_>> for Whole<'_> {
@@ -41,8 +42,7 @@ impl Each<WholeRows<'_>> for Whole<'_> {
     }
 }
 
-/// New velocities, and those of the water for the continuity pass: see [`Flow`] for what a neighbour's
-/// are.
+/// New velocities, and the neighbours' numbers for the continuity pass: see [`Flow`].
 struct Velocities<'a, F> {
     accelerations: [&'a [f64]; 2],
     /// Length of the step, seconds.
@@ -88,7 +88,7 @@ impl Each<&mut [Factors]> for Slants<'_> {
 }
 
 impl Wcsph {
-    /// Pressures, and everything about the fluid that the pass of a full step reads.
+    /// Packs pressures and all data of the fluid for the pass of a full step.
     pub(super) fn pack(&mut self) {
         let n = self.fluid.padded_len();
         let Workspace { carried, pressure, scaled_x, scaled_y, .. } = &mut self.work;
@@ -132,7 +132,7 @@ impl Wcsph {
         self.exchange.refresh_pressures(path, &self.ghosts, bodies, water, numbers);
     }
 
-    /// New velocities of the ghosts that count.
+    /// New velocities of those ghosts.
     pub(super) fn mirror_ghosts(&mut self) {
         let (path, bodies, flow) = (self.pairs.path, &self.held_bodies, self.flow());
         let water = [&*self.fluid.vx, &*self.fluid.vy];

@@ -10,13 +10,13 @@ use super::support::Support;
 use super::{DensityDiffusion, Shifting, Wcsph, Workspace};
 use crate::pairs::{Double, Each, Flow, Here, Neighbours, Precision, Records, round};
 
-/// Water bears tension from this completeness: none at the surface ...
+/// Water bears no tension below this completeness, at the surface ...
 pub(super) const TENSION_FROM: f64 = 0.6;
-/// ... and all of it from this.
+/// ... and all of it above this.
 pub(super) const TENSION_FULL: f64 = 0.9;
 
-/// The share of tension that water bears under the surface: what is left out of its correction
-/// there, for the balance under gravity, is not left out of its tension.
+/// The share of tension that water bears under the surface. The correction there is reduced for the
+/// balance under gravity, but the tension is not.
 struct Bearing<'a> {
     completeness: &'a [f64],
     first_row: f64,
@@ -55,14 +55,14 @@ impl Wcsph {
         self.hand_back();
     }
 
-    /// What the water gets back of the bed's pushes along its face.
+    /// Returns to the water its share of the bed's pushes along its face.
     fn hand_back(&mut self) {
         let Workspace { acceleration_x, acceleration_y, .. } = &mut self.work;
         let accelerations = [&mut acceleration_x[..], acceleration_y];
         self.exchange.hand_back(self.pairs.path, &self.fluid.mass, accelerations);
     }
 
-    /// How much tension the water bears in the steps to come.
+    /// Sets the share of tension that the water bears in the coming steps.
     pub(super) fn set_tension(&mut self) {
         if self.options.corrected_gradients {
             let (tension, completeness) =
@@ -72,8 +72,8 @@ impl Wcsph {
         }
     }
 
-    /// Accelerations and all else that the pairs of a full step of `dt` seconds give; returns the power of
-    /// artificial viscosity.
+    /// The accelerations and all else from the pairs of a full step of `dt` seconds. Returns the
+    /// power of artificial viscosity.
     pub(super) fn momentum_pass(&mut self, dt: f64) -> f64 {
         self.work.loads.fill([0.0; 2]);
         self.work.held_loads.fill(0.0);
@@ -165,7 +165,7 @@ impl Wcsph {
         self.pairs.power()
     }
 
-    /// What the continuity pass of this step wants.
+    /// The sums that the continuity pass of this step needs.
     pub(super) fn flow(&self) -> Flow {
         let corrected = self.options.corrected_gradients;
         Flow {
@@ -176,8 +176,8 @@ impl Wcsph {
         }
     }
 
-    /// Rates of change of density over a step of `dt` seconds; returns the power that diffusion takes,
-    /// where it is asked for.
+    /// Rates of change of density over a step of `dt` seconds. Returns the power of diffusion, if
+    /// that was asked for.
     pub(super) fn continuity_pass(&mut self, dt: f64, sample: bool) -> f64 {
         let (options, flow) = (&self.options, self.flow());
         let mut rate = std::mem::take(&mut self.work.carried.density_rate);
@@ -212,7 +212,7 @@ impl Wcsph {
     }
 }
 
-/// Fields go back to where they were taken from.
+/// Puts fields back where they were taken from.
 fn put_back<const N: usize>(fields: [&mut Vec<f64>; N], found: [Vec<f64>; N]) {
     for (field, found) in fields.into_iter().zip(found) {
         *field = found;

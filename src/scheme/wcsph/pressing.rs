@@ -1,4 +1,4 @@
-//! Pressures from densities, and what density diffusion smooths.
+//! Pressures from densities, and the field that density diffusion smooths.
 
 use super::WcsphOptions;
 use crate::pairs::{Double, Eight, Here};
@@ -10,14 +10,14 @@ pub(super) struct Pressing<'a> {
     state: StateEquation,
     /// Pressures are ahead of the densities by this time, seconds.
     bulk_time: f64,
-    /// g ρ_s/c0² where diffusion takes still water for uniform, else 0.
+    /// g ρ_s/c0² if diffusion is to leave still water alone, else 0.
     hydrostatic: f64,
     rate: &'a [f64],
     tension: &'a [f64],
 }
 
 impl<'a> Pressing<'a> {
-    /// With the rates of change of density and the shares of tension that the water bears.
+    /// With the rates of change of density, and the shares of tension that the water bears.
     pub fn of(
         options: &WcsphOptions,
         bulk_time: f64,
@@ -32,8 +32,8 @@ impl<'a> Pressing<'a> {
         }
     }
 
-    /// Pressures at densities and heights, with tension left out near the free surface, and what density
-    /// diffusion smooths: ρ, or ρ less what it is in still water.
+    /// Pressures at densities and heights, with less tension near the free surface; and the field
+    /// that density diffusion smooths: ρ, or ρ less its value in still water.
     #[inline(always)]
     pub fn find<D: Double>(self, here: Here, density: &Eight, y: &Eight) -> [D; 2] {
         let Pressing { state, bulk_time, hydrostatic, .. } = self;
@@ -53,7 +53,7 @@ impl<'a> Pressing<'a> {
     }
 }
 
-/// ln(1 + u) for |u| far below one, to u⁵: still water is exactly uniform in ln ρ + g y/c0².
+/// ln(1 + u) for |u| far below one, up to u⁵. Still water is exactly uniform in ln ρ + g y/c0².
 #[inline(always)]
 fn small_log(u: f64) -> f64 {
     u * (1.0 - u * (0.5 - u * (1.0 / 3.0 - u * (0.25 - 0.2 * u))))

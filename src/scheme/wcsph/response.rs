@@ -1,11 +1,11 @@
-//! The water's answer to the acceleration of a wall: what makes the wall's added mass.
+//! The response of the water to the acceleration of a wall: it gives the wall's added mass.
 
 use crate::pairs::{Eight, Here, Neighbour, Other, Pair, Real, Term};
 
-/// Σ_j V_j b_j ∇W, b the change of a ghost's pressure with the acceleration of its wall.
+/// Σ_j V_j b_j ∇W, where b is the change of a ghost's pressure per acceleration of its wall.
 #[derive(Clone, Copy)]
 pub(super) struct Response<'a> {
-    /// Of all ghosts, times the correction: xx, xy, yy.
+    /// b of all ghosts times the correction: xx, xy, yy.
     pub responses: &'a [[f64; 3]],
     /// Number of the first ghost among all neighbours.
     pub first_ghost: usize,

@@ -5,14 +5,14 @@ use crate::boundary::{Plane, Profile};
 use crate::pairs::{Double, Here, Summed};
 use crate::water::{SHIFT_LIMIT, any_nearer};
 
-/// The speed of a shift is that by which the flow differs over so many support radii.
+/// The speed of a shift is the difference of the flow's velocity over this many support radii.
 const ACROSS: f64 = 2.0;
 
-/// Shifts particles towards an even spread, and takes their densities along.
+/// Shifts particles towards an even spread, and adjusts their densities to the new place.
 ///
-/// The speed is 2R √(2E:E), E the strain rate without its trace: water that moves as one body or turns
-/// is left alone. Where gradients are not corrected there is no E, and |u| stands for it, as in Lind et
-/// al. 2012.
+/// The speed is 2R √(2E:E), where E is the strain rate without its trace. So water that moves or
+/// turns as one body is not shifted. Without corrected gradients there is no E, and |u| is taken
+/// instead, as in Lind et al. 2012.
 pub(super) struct Shift<'a> {
     pub mass: &'a [f64],
     pub velocity: [&'a [f64]; 2],
@@ -23,9 +23,9 @@ pub(super) struct Shift<'a> {
     pub bed: Option<&'a Profile>,
     /// As [`super::momentum::Momentum::strain`].
     pub strain: &'a [[f64; 2]],
-    /// Completenesses of the support between which it fades in.
+    /// Completenesses of the support between which the shift fades in.
     pub fades_in: [f64; 2],
-    /// The time that the shift is for, seconds.
+    /// The time for which particles are shifted, seconds.
     pub dt: f64,
     /// 1/R, 1/m.
     pub inverse_radius: f64,
@@ -36,7 +36,7 @@ impl Shift<'_> {
     #[inline(always)]
     fn speed<D: Double>(&self, here: Here) -> D {
         if self.options.corrected_gradients {
-            // R √(2E:E) is twice √((2 stretch)² + shear²), as the pair pass has them.
+            // R √(2E:E) is twice √((2 stretch)² + shear²), in the quantities of the pair pass.
             let [stretch, shear] = here.both::<D>(self.strain);
             let stretch = stretch + stretch;
             D::splat(2.0 * ACROSS) * stretch.mul_add(stretch, shear * shear).sqrt()

@@ -1,4 +1,4 @@
-//! The particles with all that surrounds them, and what of it must be kept to go on later.
+//! The particles with all their data, and the part of it that is stored to go on later.
 
 use serde::{Deserialize, Serialize};
 
@@ -42,27 +42,27 @@ pub struct Wcsph {
     pub(super) exchange: Exchange,
     pub(super) pairs: Pairs,
     pub(super) records: Vec<Record>,
-    /// The records in single precision, where the pair terms are.
+    /// The records in single precision, if the pair terms are.
     pub(super) singles: Vec<SingleRecord>,
     pub(super) work: Workspace,
     pub(super) diffused: Vec<f64>,
     pub(super) strain: Vec<[f64; 2]>,
-    /// Room for a level to be found.
+    /// Room for the search of a level.
     pub(super) column: Column,
     pub(super) planes: Vec<Plane>,
-    /// The bodies where the lists were made.
+    /// The bodies' motions at which the lists were made.
     pub(super) reference_bodies: Vec<BodyMotion>,
-    /// What passes over held pairs read of each neighbour: numbers of its velocity, then of its pressure.
+    /// The neighbours' numbers for passes over held pairs: first of velocities, then of pressures.
     pub(super) numbers: Vec<Factors>,
-    /// The same of the ghosts of a bed that gives back: see `boundary/give_back.rs`.
+    /// The same for the ghosts of a bed that gives back: see `boundary/give_back.rs`.
     pub(super) bed_numbers: Vec<Factors>,
     /// See [`super::diffusion::Renormalised`]; empty where not needed.
     pub(super) slants: Vec<Factors>,
-    /// Place of the coming step between two full ones; 0 is a full step.
+    /// Number of the coming step since the last full one; 0 is a full step.
     pub(super) substep: u32,
     /// From a full step to the middle of the stretch until the next, seconds.
     pub(super) lead: f64,
-    /// Where the particles will be then.
+    /// The particles' positions then.
     pub(super) ahead: [Vec<f64>; 2],
     /// Pressures are ahead of the densities by this time, seconds.
     pub(super) bulk_time: f64,
@@ -73,15 +73,15 @@ pub struct Wcsph {
     pub(super) pair_evaluations: u64,
     pub(super) boundary_fallbacks: u64,
     pub(super) taken: Taken,
-    /// Of the kernel, where volume is taken back.
+    /// Of the kernel, if the volume is corrected.
     pub(super) shortfall: Option<Shortfall>,
     pub(super) last_viscous_power: f64,
-    /// Where the time went; never part of the state.
+    /// The time spent in each phase; never part of the state.
     pub(super) phases: Phases<7>,
 }
 
 impl Wcsph {
-    /// Particles at their start; the body number `responds` has its acceleration solved together
+    /// Particles at their start. The acceleration of the body number `responds` is found together
     /// with its force.
     pub fn new(
         options: WcsphOptions,
@@ -131,7 +131,7 @@ impl Wcsph {
         }
     }
 
-    /// The rules for ghosts that fit the options.
+    /// The rules for ghosts that go with the options.
     pub fn exchange_rules(
         options: &WcsphOptions,
         interpolator: InterpolatorChoice,
@@ -154,7 +154,7 @@ impl Wcsph {
         }
     }
 
-    /// What must be kept, ahead of a full step.
+    /// The state to be stored, before a full step.
     pub fn state(&self) -> WcsphState {
         assert!(self.substep == 0, "an acoustic step holds more than is kept");
         let ([x, y], offsets) = self.pairs.reference();
@@ -172,8 +172,8 @@ impl Wcsph {
         }
     }
 
-    /// Goes back to a kept state: lists are built again from the places of their last rebuild,
-    /// so that they are the same lists.
+    /// Goes back to a stored state. Lists are made from the places of their last rebuild, so that
+    /// they are the same lists.
     pub fn restore(&mut self, state: WcsphState) {
         self.fluid = state.fluid;
         let reference = [state.reference_x, state.reference_y];

@@ -6,18 +6,18 @@ use super::Wcsph;
 use crate::body::BodyMotion;
 use crate::scheme::{Dissipation, StepWalls};
 
-/// What is lost on the way, per metre of width.
+/// Losses within a step, per metre of width.
 struct Lost {
     /// Power of density diffusion, where it was asked for, W.
     diffusion_power: f64,
-    /// Energy of what settles at the surface and of what is held inside, J.
+    /// Energy lost by settling at the surface and by holding water inside, J.
     on_the_way: f64,
 }
 
 impl Wcsph {
-    /// First half: forces at the current places. `bodies` are the motions at this instant; the
-    /// acceleration of the responding body is not used. The forces of an acoustic step are known
-    /// already, with the motions and the length that [`Wcsph::finish`] was told before.
+    /// First half: forces at the current places. `bodies` are the motions at the start of the step.
+    /// The acceleration of the responding body is not used. The forces of an acoustic step are
+    /// known already, from the motions and the length that [`Wcsph::finish`] was given before.
     pub fn prepare(&mut self, bodies: &[BodyMotion], dt: f64) {
         if self.substep > 0 {
             debug_assert_eq!(self.bulk_time, self.options.bulk_damping * dt, "another step");
@@ -38,18 +38,19 @@ impl Wcsph {
         }
         self.find_forces(dt);
         if at_start {
-            // The first step has no correction from one before it: it takes its own. It has looked
-            // ahead from rest, and does so again should a trunk end here.
+            // The first step has no correction from a step before: it takes its own. It has
+            // predicted positions from rest. A run that goes on from a trunk that ends here must do
+            // the same.
             self.take_next_correction();
             self.work.carried.last_acceleration_x.fill(0.0);
             self.work.carried.last_acceleration_y.fill(0.0);
-            // Counted once, as for who goes on from a state kept here.
+            // Counted once, as in a run that goes on from a state stored here.
             self.pairs.take_force_pairs();
             self.find_forces(dt);
         }
     }
 
-    /// The pass of a full step of `dt` seconds, and all that it reads.
+    /// The pass of a full step of `dt` seconds, with all its inputs.
     fn find_forces(&mut self, dt: f64) {
         let mut clock = Instant::now();
         self.pack();
@@ -71,18 +72,18 @@ impl Wcsph {
         }
     }
 
-    /// Second half: velocities with the forces of [`Wcsph::prepare`], densities with the new
-    /// velocities, then places; and where an acoustic step is next, its forces: new pressures over
-    /// pairs that the last full step has left. With `sample` the power of density diffusion is summed.
+    /// Second half: velocities from the forces of [`Wcsph::prepare`], densities from the new
+    /// velocities, then places. If an acoustic step is next, also its forces: new pressures over
+    /// the pairs of the last full step. With `sample` the power of density diffusion is summed.
     ///
-    /// Shifting, at the end of a full step and its acoustic steps, moves a particle by
-    /// δr = -A h U Δt ∇C, ∇C = Σ V_j ∇W, U the speed by which the flow differs across the support. It is
-    /// faded out where the support is incomplete and across walls. The density is taken along:
-    /// δρ = δr·∇ρ, with the gradient that density diffusion uses (hydrostatic or renormalised, zero for
-    /// the others).
+    /// Shifting comes after a full step and its acoustic steps. It moves a particle by δr = -A h U
+    /// Δt ∇C with ∇C = Σ V_j ∇W. U is the difference of the flow's velocity across the support.
+    /// Shifting fades out where the support is incomplete, and towards walls. The density changes
+    /// with the place: δρ = δr·∇ρ. The gradient is that of density diffusion (hydrostatic or
+    /// renormalised, zero for the others).
     pub fn finish(&mut self, dt: f64, walls: &StepWalls<'_>, sample: bool) -> Dissipation {
         let mut clock = Instant::now();
-        // Of this step: further on come the next one's.
+        // Of this step. Those of the next step come below.
         let forces = self.pairs.take_force_pairs();
         self.bulk_time = self.options.bulk_damping * walls.next.dt;
         self.hold_offsets(walls);
@@ -113,8 +114,9 @@ impl Wcsph {
         }
     }
 
-    /// Takes the water through a step of `dt` seconds with the accelerations at hand: velocities,
-    /// rates of change of density, places; and with `forces` on to the accelerations of the next.
+    /// Takes the water through a step of `dt` seconds with the present accelerations: velocities,
+    /// rates of change of density, places. With `forces` it also finds the accelerations of the
+    /// next step.
     fn go_through(
         &mut self,
         dt: f64,
@@ -140,8 +142,8 @@ impl Wcsph {
         Lost { diffusion_power, on_the_way }
     }
 
-    /// Takes the bodies' velocities over this step and their accelerations in the next, but not where
-    /// they are: ghosts stay where the last full step has put them, like the pairs.
+    /// Takes the bodies' velocities over this step and their accelerations in the next. Offsets
+    /// stay: like the pairs, ghosts stay at their places of the last full step.
     fn hold_offsets(&mut self, walls: &StepWalls<'_>) {
         let motions = walls.bodies.iter().zip(walls.next.bodies);
         for (held, (body, next)) in self.held_bodies.iter_mut().zip(motions) {
@@ -149,11 +151,11 @@ impl Wcsph {
         }
     }
 
-    /// Counts what this step has gone through, `forces` pairs for its forces.
+    /// Counts the pairs of this step; `forces` of them were for its forces.
     fn count_pairs(&mut self, forces: u64) {
         self.pair_evaluations += forces + self.pairs.take_flow_pairs() + self.exchange.pairs();
         if self.substep == 0 {
-            // Weights are found in full steps alone.
+            // Weights are found only in full steps.
             self.boundary_fallbacks += self.exchange.fallbacks();
         }
     }

@@ -1,4 +1,4 @@
-//! What the neighbours of a particle support: how complete they are, and what mends its gradients.
+//! The support of a particle: its completeness, and the correction of its gradients.
 
 use super::correction::{correction, smallest_eigenvalue};
 use crate::pairs::{Double, Eight, Here, Neighbour, Other, Pair, Real, Term};
@@ -30,12 +30,12 @@ impl Term for Moment {
     }
 }
 
-/// What is made of the moment.
+/// How the moment is evaluated.
 #[derive(Clone, Copy)]
 pub(super) struct Support {
-    /// How complete it is, is asked for.
+    /// Whether the completeness is wanted.
     pub wanted: bool,
-    /// The gradient's correction is, too.
+    /// Whether the gradient's correction is wanted too.
     pub corrected: bool,
     /// R, metres.
     pub support_radius: f64,
@@ -44,8 +44,8 @@ pub(super) struct Support {
 }
 
 impl Support {
-    /// Writes how complete the support is, then the next correction's xx, xy and yy, given the moment
-    /// of all neighbours and that of the water among them.
+    /// Writes the completeness of the support, then the next correction's xx, xy and yy. Inputs are
+    /// the moment of all neighbours, and that of the water among them.
     #[inline(always)]
     pub fn put<D: Double>(
         self,

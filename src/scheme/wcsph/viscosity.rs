@@ -3,21 +3,21 @@
 //! ```text
 //! α h c0 ρ0 Σ_j V_j π_ij ∇W_ij,   π_ij = (u_ij · x_ij) / |x_ij|²
 //! ```
-//! Another viscosity is another type like this one.
+//! Another viscosity is another type like this.
 
 use crate::pairs::{Double, Eight, Fluid, Here, Neighbour, Other, Pair, Real, Term};
 
-/// Σ_j V_j π_ij ∇W. With `CORRECTED`, π_ij holds only what a linear, divergence-free velocity field
-/// leaves of it. Of a wall, `GHOSTS`, the strain is the particle's own.
+/// Σ_j V_j π_ij ∇W. With `CORRECTED`, the part of π_ij from a linear, divergence-free velocity
+/// field is left out. At a wall (`GHOSTS`) the strain rate is the particle's own on both sides.
 ///
-/// `limited` lets every pair dissipate or do nothing. That damps smooth waves as well: what is left of them
-/// has both signs, as ∇²u = 0, and only one is let through.
+/// With `limited` every pair dissipates or does nothing. That damps smooth waves as well. Their
+/// remaining π_ij has both signs, as ∇²u = 0, and only one sign is let through.
 #[derive(Clone, Copy)]
 pub(super) struct ArtificialViscosity<'a, const CORRECTED: bool, const GHOSTS: bool> {
     pub fluid: &'a Fluid,
     /// See [`super::momentum::Momentum::strain`].
     pub strain: &'a [[f64; 2]],
-    /// Whether every pair is to dissipate.
+    /// Whether every pair must dissipate or do nothing.
     pub limited: bool,
 }
 
@@ -53,7 +53,7 @@ impl<const CORRECTED: bool, const GHOSTS: bool> Term
             let rest = (dx * dy).negated_mul_add(shear, approach);
             let rest = apart.negated_mul_add(stretch, rest);
             approach = if self.limited {
-                // Between nothing and all of it.
+                // Limited to the range from zero to the whole.
                 let zero = R::splat(0.0);
                 let (low, high) = (approach.min(zero), approach.max(zero));
                 rest.min(high).max(low)
@@ -68,7 +68,7 @@ impl<const CORRECTED: bool, const GHOSTS: bool> Term
     }
 }
 
-/// Velocities halfway through a step: what viscosity does in it is work at these.
+/// Velocities halfway through a step: the work of viscosity is found with these.
 #[inline(always)]
 pub(super) fn halfway<D: Double>(
     fluid: &Fluid,

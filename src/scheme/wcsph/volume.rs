@@ -1,17 +1,17 @@
-//! Takes back what particles lose of their volume.
+//! Corrects the volume that particles lose.
 //!
-//! The corrected divergence is no rate of change of anything that particles have: they can go round
-//! and come back at the same densities, but closer. Waves that go on for some twelve periods let the
-//! water sink through that, and its height stirs it. ½ tr Σ V_j (x_j - x_i) ⊗ ∇W knows how close they are:
-//! it is 1 inside the water, and more where they crowd. Densities follow it slowly, and the pressure
-//! drives the particles apart.
+//! The corrected divergence is not the rate of change of any property of the particles. They can
+//! move round and come back with the same densities, but closer together. After some twelve
+//! periods, water under waves sinks through this. The potential energy that is freed stirs it. ½ tr
+//! Σ V_j (x_j - x_i) ⊗ ∇W measures crowding: it is 1 inside the water, and more where particles
+//! crowd. Densities follow it slowly, and the pressure then drives the particles apart.
 
 use super::correction::surface_share;
 use super::{WcsphOptions, Workspace};
 use crate::pairs::{Double, Here, Summed};
 use crate::water::{Shortfall, VOLUME_DEPTHS};
 
-/// Lets densities follow the error of the volume: δρ = ρ e · rate, e = ½ tr Σ - 1 + the shortfall.
+/// Changes densities by the error of the volume: δρ = ρ e · rate, e = ½ tr Σ - 1 + the shortfall.
 ///
 /// The depth is taken to be p/(ρg).
 pub(super) struct Restore<'a> {
@@ -19,7 +19,7 @@ pub(super) struct Restore<'a> {
     pub work: &'a Workspace,
     pub options: &'a WcsphOptions,
     pub shortfall: &'a Shortfall,
-    /// How much of the error is taken back now.
+    /// Share of the error that is corrected now.
     pub rate: f64,
 }
 
@@ -39,7 +39,7 @@ impl Summed<&mut [f64]> for Restore<'_> {
         let pressure = here.of::<D>(&work.pressure);
         let depth =
             pressure.div(density) * D::splat(1.0 / (options.gravity * options.support_radius));
-        // The correction is the inverse of the sum, but for the share that the balance takes of it.
+        // The correction is the inverse of the sum, times the share from [`surface_share`].
         let [xx, xy, yy] = here.all::<D, 3>([
             &work.next_correction_xx,
             &work.next_correction_xy,

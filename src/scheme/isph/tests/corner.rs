@@ -3,7 +3,8 @@
 use super::*;
 use crate::boundary::tank_ghosts;
 
-/// Water a unit deep and two long before a wall whose toe is at x = 2, in slices of a lattice that end at the wall.
+/// Water of depth 1 and length 2 before a wall with its toe at x = 2. Each row of the lattice ends
+/// at the wall.
 fn before_a_wall(angle_deg: f64, jitter: f64) -> Isph {
     let spacing = 0.05;
     let lean = angle_deg.to_radians();
@@ -28,14 +29,15 @@ fn before_a_wall(angle_deg: f64, jitter: f64) -> Isph {
     water
 }
 
-/// The images of images of any corner but a right one left a part of it empty: 84 of 360 degrees at 92.
+/// Images of images once left a part of every corner empty but of a right one: 84 of 360 degrees at
+/// 92.
 #[test]
 fn corners_are_full_at_every_angle() {
     for angle in [60.0, 66.0, 72.0, 81.0, 89.99, 90.0, 90.01, 92.0, 100.0, 110.0, 120.0] {
         let water = before_a_wall(angle, 0.0);
         let [coverage, _] = water.near.average([2.0, 0.0], |_| 0.0);
         assert!((coverage - 1.0).abs() < 0.06, "{coverage} at {angle} degrees");
-        // A support that is full has the moment of the plane.
+        // A full support has the moment of the plane.
         for i in 0..water.fluid.len() {
             if (water.fluid.x[i] - 2.0).hypot(water.fluid.y[i]) < 0.15 {
                 let completeness = water.operators.completeness[i];

@@ -65,8 +65,8 @@ fn layout(spacing: f64) -> TankLayout {
     }
 }
 
-/// A unit square of `side` x `side` particles, moved about by up to `jitter` spacings, in a box that
-/// it fills or in the open, with its lists made.
+/// A unit square of `side` x `side` particles with its lists made. Particles are displaced by up to
+/// `jitter` spacings. The square fills a closed box or has a free surface all around.
 fn square(side: usize, jitter: f64, closed: bool, laplacian: Laplacian) -> Isph {
     let spacing = 1.0 / side as f64;
     let mut random = noise();
@@ -100,8 +100,8 @@ fn exact_product(water: &mut Isph, pressure: &[f64]) -> Vec<f64> {
     product
 }
 
-/// Particles with nothing cut off in three supports around them: the gradient at a neighbour takes
-/// its own neighbours' corrections.
+/// Particles whose supports are full within three support radii. Three are needed because the
+/// gradient at a neighbour uses the corrections of its own neighbours.
 fn inside(water: &Isph) -> Vec<usize> {
     let reach = 3.01 * water.options.support_radius;
     let deep = |x: f64| x > reach && x < 1.0 - reach;

@@ -45,7 +45,7 @@ fn sums_are_those_over_all_points_and_walls_feel_what_the_water_feels() {
     assert!(force.abs() > 0.1 && (force + thrust).abs() < 1e-10 * force.abs(), "{force} {thrust}");
 }
 
-/// u = ∇φ in a closed box: the projection takes all of it away by p = φ ρ/Δt.
+/// u = ∇φ in a closed box: the projection removes all of it by p = φ ρ/Δt.
 #[test]
 fn the_poisson_equation_is_solved_to_second_order() {
     let error = |side: usize| {
@@ -58,7 +58,7 @@ fn the_poisson_equation_is_solved_to_second_order() {
         }
         let dt = 1e-9;
         let bodies = &AT_REST[..water.loads.len()];
-        // The pressure of the step before counts a little: go to where it no longer changes.
+        // The pressure of the step before has a small effect: repeat until it no longer changes.
         for _ in 0..3 {
             water.prepare(bodies, dt).unwrap();
             water.carried.older_pressure.clone_from(&water.pressure);

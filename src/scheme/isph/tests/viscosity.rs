@@ -4,7 +4,7 @@ use super::*;
 
 const VISCOSITY: f64 = 0.01;
 
-/// Drag and velocity of a square whose water has this velocity.
+/// Drag and velocity of the water of a square, for this velocity.
 fn dragged(mut water: Isph, velocity: impl Fn(f64, f64) -> [f64; 2]) -> (Isph, Vec<[f64; 2]>) {
     water.options.viscosity = VISCOSITY;
     let velocities = (0..water.fluid.len()).map(|i| velocity(water.fluid.x[i], water.fluid.y[i]));
@@ -17,7 +17,7 @@ fn dragged(mut water: Isph, velocity: impl Fn(f64, f64) -> [f64; 2]) -> (Isph, V
     (water, velocities)
 }
 
-/// A vortex between walls that slip: ν∇²u = -2π²ν u.
+/// A vortex between free-slip walls: ν∇²u = -2π²ν u.
 #[test]
 fn vortices_in_a_box_are_dragged_by_the_laplacian() {
     use std::f64::consts::PI;
@@ -33,8 +33,8 @@ fn vortices_in_a_box_are_dragged_by_the_laplacian() {
     }
 }
 
-/// Each pair once pulled along u_j - u_i: a surface bore ν∇u. It braked water that turns as a whole, and took
-/// half of what a wave loses by viscosity.
+/// Pairs once pulled along u_j - u_i, so that a surface bore a stress ν∇u. That braked water in
+/// rigid rotation, and took only half of what a wave loses by viscosity.
 #[test]
 fn a_free_surface_bears_no_viscous_stress() {
     let turning = |x: f64, y: f64| [0.5 - y, x - 0.5];
@@ -42,8 +42,8 @@ fn a_free_surface_bears_no_viscous_stress() {
     let largest = water.drag.iter().flatten().fold(0.0_f64, |most, part| most.max(part.abs()));
     assert!(largest < 1e-7, "{largest}");
 
-    // Water drawn out one way loses 2ν E:E = 4ν. A layer at the surface lacks pairs. On a lattice sums are
-    // some 3 % too large.
+    // Water in pure strain loses 2ν E:E = 4ν. A layer at the surface lacks pairs. On a lattice the
+    // sums are some 3 % too large.
     let lost = |side: usize| {
         let drawn = |x: f64, y: f64| [x - 0.5, 0.5 - y];
         let (water, velocities) = dragged(square(side, 0.0, false, Laplacian::Exact), drawn);
