@@ -1,38 +1,43 @@
-//! A bed that gives back, beside walls that move.
+//! A bed that gives back, beside walls that move (see `giving.rs`).
 //!
-//! Water at a wall's foot goes with the wall, along the bed, and the bed's ghosts end there. So a ghost has water on one
-//! side alone, and what goes along the bed counts as running into it: D_g, which the water around its mirror point gives.
-//! And a particle has ghosts on one side alone, and counts as running away from them. The sum of both is zero. But a
-//! ghost takes from all the water around, which is farther from the corner, so that water gathers in the corner. So both
-//! take velocities relative to U = t (U_w·n)/(t·n) within the support radius R of a wall: water that goes along the bed
-//! (t) and with the wall (n). From R on each of both parts is zero by itself. No energy is made: what is taken out of both
-//! has the same pressure but for its change over R.
+//! Water at a wall's foot moves along the bed with the wall, and the bed's ghosts end there. So a
+//! ghost has water on one side only. Water that moves along the bed then counts as a flow into the
+//! ghost: D_g, which the water around its mirror point gives. A particle has ghosts on one side
+//! only, and seems to flow away from them.
+//!
+//! The sum of both is zero. But a ghost takes from all the water around it, which is farther from
+//! the corner, so water gathers in the corner. So both use velocities relative to U = t
+//! (U_w·n)/(t·n) within the support radius R of a wall. U is the velocity of water that moves along
+//! the bed (t) and with the wall (n). Beyond R each of the two parts is zero by itself. No energy
+//! is made: what is taken out of both parts has the same pressure, except for its change over R.
 
 use super::ghosts::{Ghosts, Reflection};
 use super::plane::Plane;
 use crate::body::{BodyMotion, Place};
 use crate::math::simd::{LANES, Lanes};
 
-/// The walls that water may go along with.
+/// The walls with which water may move.
 pub(super) const WALLS: [Place; 2] = [Place::Left, Place::Right];
 
-/// The least sine of the angle between wall and bed: nearly in line they push no water along.
+/// The least sine of the angle between wall and bed. A wall nearly in line with the bed pushes no
+/// water along it.
 const ACROSS: f64 = 0.25;
 
-/// U per velocity of each wall, at eight ghosts: along x and up.
+/// U per velocity of each wall, at eight ghosts, along x and up.
 type Share = [[[f64; LANES]; 2]; 2];
 
-/// How the bed's ghosts go with the walls.
+/// The velocity U along the bed beside moving walls.
 #[derive(Debug, Clone, Default)]
 pub struct Alongside {
     shares: Vec<Share>,
-    /// The walls' faces over the support radius: normal, and how far the face lies along it.
+    /// The walls' faces over the support radius: normal, and the face's distance along it.
     faces: [[f64; 3]; 2],
 }
 
 impl Alongside {
-    /// Finds which of the bed's blocks lie beside which wall. The bed's offset and the support radius are in metres.
-    /// Ghosts count within two of them: water within one of the wall has those in reach.
+    /// Finds which of the bed's blocks lie beside which wall. The bed's offset and the support
+    /// radius are in metres. Ghosts within two support radii count: water within one radius of the
+    /// wall has those in reach.
     pub(super) fn find(
         &mut self,
         (ghosts, walls): (&Ghosts, &[Plane; 2]),

@@ -1,4 +1,4 @@
-//! Ghosts of a bed that is not level, and of the corners that its stretches make.
+//! Ghosts of a bed that is not level, and of the corners between its stretches.
 
 use std::f64::consts::PI;
 
@@ -9,12 +9,12 @@ use super::plane::Plane;
 use super::profile::{Profile, Stretch, WALL, ends_low, turn};
 use super::territory::Territory;
 
-/// Sites of a profile, and a face point for every column of the stretches that may run dry.
+/// The sites of a profile, and a face point for every column of the stretches that may run dry.
 ///
-/// Each stretch continues a lattice behind its face. Where the bed bends up the wedge between two
-/// normals is filled ring by ring. Where it bends down two lattices would overlap: each ends at the
-/// line between them, where a ghost counts as far as its cell lies on its own side. Behind low steps, short
-/// stretches and narrow ridges others come as near, too: see [`Territory`].
+/// Each stretch continues a lattice behind its face. Where the bed bends up, the wedge between two
+/// normals is filled ring by ring. Where it bends down, two lattices would overlap. There each ends
+/// at the bisector, and a ghost counts by the part of its cell on its own side. Other stretches may
+/// be as near behind low steps, short stretches and narrow ridges: see [`Territory`].
 pub(super) fn bed_sites(layout: &TankLayout, profile: &Profile) -> BodySites {
     let stretches: Vec<_> = profile.stretches().collect();
     let mut bed = Bed {
@@ -35,7 +35,7 @@ pub(super) fn bed_sites(layout: &TankLayout, profile: &Profile) -> BodySites {
         }
     }
     bed.back_edges(&stretches);
-    // Its profile stands for the bed's own plane.
+    // The profile takes the place of the bed's own plane.
     let plane = Plane::nowhere([0.0, -1.0]);
     BodySites { sites: bed.sites, faces: bed.faces, plane }
 }
@@ -43,18 +43,19 @@ pub(super) fn bed_sites(layout: &TankLayout, profile: &Profile) -> BodySites {
 struct Bed<'a> {
     layout: &'a TankLayout,
     territory: Territory<'a>,
-    /// Up to where the bed is level from the paddle on, and never dry.
+    /// The bed is level from the paddle up to here, and never dry.
     level: f64,
     sites: Vec<Site>,
     faces: Vec<[f64; 2]>,
-    /// The first of each stretch.
+    /// The first face point of each stretch.
     first_faces: Vec<usize>,
-    /// Numbers of ghosts below the edges of dry tops, each with that of the stretch whose face it is behind, too.
+    /// Numbers of ghosts below the edges of dry tops. Each comes with the number of the stretch
+    /// whose face it is also behind.
     edges: Vec<(usize, usize)>,
 }
 
 impl Bed<'_> {
-    /// How many columns of ghosts lie behind a stretch.
+    /// Number of columns of ghosts behind a stretch.
     fn columns(&self, stretch: &Stretch) -> f64 {
         (stretch.length / self.layout.spacing_x).round().max(1.0)
     }
@@ -121,7 +122,8 @@ impl Bed<'_> {
         }
     }
 
-    /// Ghosts behind the faces below dry tops, where those of the tops have no water to mirror.
+    /// Adds ghosts behind the faces below dry tops. There the ghosts of the tops have no water to
+    /// mirror.
     fn back_edges(&mut self, stretches: &[Stretch]) {
         for (twin, number) in std::mem::take(&mut self.edges) {
             let (site, stretch) = (self.sites[twin], &stretches[number]);
@@ -139,7 +141,7 @@ impl Bed<'_> {
         }
     }
 
-    /// The wedge behind a bend upwards, from a stretch with this number to the next.
+    /// Fills the wedge behind a bend upwards, from the stretch with this number to the next.
     fn fill_bend(&mut self, number: usize, [before, after]: [&Stretch; 2]) {
         let width = turn(before, after);
         let [nx, ny] = before.normal();
@@ -162,7 +164,7 @@ impl Bed<'_> {
     }
 }
 
-/// How far a place lies past the line that halves a bend, metres along the bed.
+/// How far a place lies past the bisector of a bend, metres along the bed.
 fn past(place: [f64; 2], before: &Stretch, after: &Stretch) -> f64 {
     let [x, y] = [0, 1].map(|axis| before.along[axis] + after.along[axis]);
     let [from_x, from_y] = after.from;
@@ -178,13 +180,13 @@ mod tests {
         TankLayout::plain(3.0, 0.5, None)
     }
 
-    /// Ghosts behind any bed fill the strip of a support's width behind it.
+    /// Ghosts behind any bed fill a strip of one support radius behind it.
     #[test]
     fn ghosts_fill_what_lies_behind_a_bed() {
         let layers = 0.1;
         for (points, solid) in [
             (vec![[0.0, 0.0], [3.0, 0.0]], 3.0 * layers),
-            // A bend up by θ has a wedge of ½ θ R² besides, one down lacks R² tan(θ/2).
+            // A bend up by θ has a wedge of ½ θ R² in addition. A bend down lacks R² tan(θ/2).
             (
                 vec![[0.0, 0.0], [1.0, 0.0], [3.0, 0.5]],
                 0.1 + 0.1 * 4.25_f64.sqrt() + 0.005 * 0.25_f64.atan(),
@@ -193,7 +195,7 @@ mod tests {
                 vec![[0.0, 0.0], [1.0, 0.0], [1.0, 0.3], [3.0, 0.3]],
                 0.33 + 0.005 * (PI / 2.0) - 0.01,
             ),
-            // A ridge of two spacings: what is behind both of its sides counts once.
+            // A ridge of two spacings: the part behind both of its sides counts once.
             (
                 vec![[0.0, 0.0], [1.0, 0.0], [1.0, 0.1], [1.04, 0.1], [1.04, 0.0], [3.0, 0.0]],
                 0.296 + 0.004 + 0.04 * 0.099,

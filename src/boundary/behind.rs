@@ -1,4 +1,5 @@
-//! Ghosts of what keeps water behind a wall with a crest: the wall's back, a level floor, an end wall.
+//! Ghosts behind a wall with a crest, where water stays: the wall's back, a level floor, an end
+//! wall.
 
 use super::crested::{flat, past};
 use super::ghosts::{BodySites, Reflection, Site};
@@ -6,9 +7,9 @@ use super::layout::{CrestShape, FloorBehind, TankLayout};
 use super::plane::Plane;
 use super::wall::wall;
 
-/// A tank of its own behind the back of the wall, at `back`. The back's lattice ends at the line that halves
-/// the corner at its top. Floor and corners bear the thinnest sheet of water, so they do not ask how wet
-/// they are.
+/// A tank of its own behind the back of the wall, at `back`. The back's lattice ends at the
+/// bisector of the corner at its top. Floor and corners bear even the thinnest sheet of water, so
+/// they do not ask face points whether they are wet.
 pub(super) fn behind(
     shape: CrestShape,
     back: f64,
@@ -41,7 +42,7 @@ pub(super) fn behind(
         }
         faces.extend(upright.faces);
     }
-    // The outline stands for its planes.
+    // The outline takes the place of its planes.
     BodySites { sites, faces, plane: Plane::nowhere([0.0, -1.0]) }
 }
 
@@ -64,7 +65,7 @@ mod tests {
         let exact = 0.1 * 0.4 - 0.5 * 0.01 + 0.1 * 0.6 + 0.1 * 0.9;
         let found = area(Place::Behind);
         assert!((found / exact - 1.0).abs() < 0.02, "{found} of {exact}");
-        // The wall itself has its toe's block, its face and its top, less half of both corners.
+        // The wall has its toe's block, its face and its top, less half of both corners.
         let exact = 0.1 * 0.1 + 0.1 * 0.3 + 0.1 * 0.2 - 3.0 * 0.5 * 0.01;
         let found = area(Place::Right);
         assert!((found / exact - 1.0).abs() < 0.02, "{found} of {exact}");
@@ -74,7 +75,7 @@ mod tests {
             let [to_x, to_y] = [ghosts.target_x[g], ghosts.target_y[g]];
             assert!(y < crest.outline.height(x), "{x} {y}");
             assert!(to_y > crest.outline.height(to_x) - 1e-9, "{to_x} {to_y}");
-            // Nothing of it is in reach of the water before the wall.
+            // None of its ghosts is in reach of the water before the wall.
             assert!(ghosts.volume[g] == 0.0 || x > 1.1 - 1e-9, "{x}");
         }
         let faces = ghosts.bodies[Place::Behind.number()].faces.clone();

@@ -4,9 +4,9 @@ use super::ghosts::{BodySites, Ghosts, Reflection, Site};
 use super::layout::TankLayout;
 use super::plane::Plane;
 
-/// Ghosts of the bed (body 0), the left wall (1), the right wall (2), both with a face point for
-/// every row, and the lid (3) of a box of this height, all wet for ever. The corners' ghosts are the
-/// walls'.
+/// Ghosts of a box of this height: the bed (body 0), the left wall (1), the right wall (2) and the
+/// lid (3). The walls have a face point for every row, and the corners' ghosts are theirs. All is
+/// always wet.
 pub fn box_ghosts(layout: &TankLayout, height: f64, strip_width: f64) -> Ghosts {
     let TankLayout { length, spacing_x, spacing_y, support_radius, .. } = *layout;
     let columns = (length / spacing_x).round() as i64;
@@ -63,7 +63,7 @@ pub fn box_ghosts(layout: &TankLayout, height: f64, strip_width: f64) -> Ghosts 
     Ghosts::new(&bodies, strip_width)
 }
 
-/// The bodies of a tank without a single ghost: their faces lie out of every reach.
+/// The bodies of a tank without ghosts. Their faces lie out of reach.
 pub fn no_ghosts(strip_width: f64) -> Ghosts {
     let bodies = [[0.0, -1.0], [-1.0, 0.0], [1.0, 0.0]].map(|normal| BodySites {
         sites: Vec::new(),

@@ -18,10 +18,11 @@ pub(super) struct Corner {
 }
 
 impl Corner {
-    /// Rings around the vertex, cut into cells with a ghost at the centroid of each: farther out than
-    /// the middle of its ring, most so in the innermost. In an obtuse corner they mirror through the
-    /// vertex, in an acute one the water is narrower than the wedge and directions are drawn together
-    /// to fit. A corner that is nearly straight is none: each ghost mirrors across its own direction.
+    /// Rings around the vertex, cut into cells with a ghost at the centroid of each. The centroid
+    /// is farther out than the middle of its ring, most of all in the innermost ring. In an obtuse
+    /// corner ghosts mirror through the vertex. In an acute one the water is narrower than the
+    /// wedge, so directions are narrowed to fit. In a nearly straight corner each ghost mirrors
+    /// across its own direction, as at a wall.
     pub(super) fn sites(&self, layout: &TankLayout, face: u32) -> Vec<Site> {
         let Corner { vertex, middle, width, water } = *self;
         let narrowing = (water / width).min(1.0);
@@ -57,7 +58,8 @@ impl Corner {
     }
 }
 
-/// Distance from the vertex of the centroid of a ring's piece that spans twice the angle `half`.
+/// Distance between the vertex and the centroid of a piece of a ring. The piece spans twice the
+/// angle `half`.
 fn centroid(ring: i64, thickness: f64, half: f64) -> f64 {
     let (inner, outer) = (ring as f64 * thickness, (ring + 1) as f64 * thickness);
     let mean = (outer * outer + outer * inner + inner * inner) / (1.5 * (outer + inner));

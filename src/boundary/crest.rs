@@ -4,25 +4,28 @@ use super::layout::{CrestShape, TankLayout};
 use super::plane::Plane;
 use super::profile::Profile;
 
-/// The back of a wall goes so many support radii down: farther than any water that is still followed.
+/// The back of a wall goes this many support radii down, below all water that is still followed.
 pub(super) const BACK: f64 = 3.0;
 
-/// Water lies on a top whose mean is so many spacings above it: half of what a single row has.
+/// Water lies on a top if its mean is this many spacings above the top: half the height of a single
+/// row's mean.
 const LIES_ON: f64 = 0.25;
-/// The kernel's mean of water that stands beside an edge lies so far before it, over what of the support reaches
-/// across. Of a half plane it is 0.15 to 0.21 with Wendland C2, and 0.11 to 0.25 with others.
+/// Distance from an edge to the kernel's mean of the water that stands beside it, over the length
+/// by which the support reaches across the edge. For a half plane it is 0.15 to 0.21 with Wendland
+/// C2, 0.11 to 0.25 with other kernels.
 const BESIDE: f64 = 0.2;
 
-/// Where a wall ends, and from where on water that has gone over it is taken away; metres.
+/// Where a wall ends, and where water that has gone over it is taken away; metres.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Crest {
-    /// Of its top, above the paddle's foot.
+    /// Height of its top above the paddle's foot.
     pub height: f64,
-    /// From its front to its back.
+    /// x of its front and its back.
     pub ends: [f64; 2],
     /// Bed, face, top and back as one line, with the floor and the end wall behind it where there are any.
     pub outline: Profile,
-    /// Water so far behind the back, or below the top there, is taken away where no floor keeps it.
+    /// Distance behind the back, or below the top there, at which water is taken away if no floor
+    /// keeps it.
     pub reach: f64,
     /// Where the end wall behind the floor stands; none where water is taken away.
     pub end: Option<f64>,
@@ -61,13 +64,13 @@ impl Crest {
         self.end.is_none() && (behind > self.reach || behind > 0.0 && y < self.height - self.reach)
     }
 
-    /// Where water may be at most, metres along the tank; `room` is left at an end wall.
+    /// The largest x of the water, metres. `room` is added at an end wall.
     pub fn farthest(&self, room: f64) -> f64 {
         self.end.map_or(self.ends[1] + 2.0 * self.reach, |end| end + room)
     }
 
-    /// The height that a gauge stands on, metres. At the wall's face it is in the water before it, and at the end
-    /// wall in that on the floor.
+    /// The height of the ground under a gauge, metres. At the wall's face the gauge is in the water
+    /// before it. At the end wall it is in the water on the floor.
     pub fn ground(&self, x: f64) -> f64 {
         let points = self.outline.points();
         let before = |up: usize| points[up - 1][1];
@@ -78,17 +81,19 @@ impl Crest {
         face.filter(|_| x == self.ends[0]).map_or_else(|| self.outline.height(x), before)
     }
 
-    /// The line from the wall's back on, where water stays behind it.
+    /// The line from the wall's back onwards, if water stays behind it.
     pub fn line_behind(&self) -> Option<&[[f64; 2]]> {
         let points = self.outline.points();
         self.end.map(|_| &points[points.len() - 4..])
     }
 
-    /// How much of the water around a mirror point at x lies on the top and not beside it, by its mean place, metres.
+    /// The share of the water around a mirror point at x that lies on the top, not beside it. It is
+    /// found from the mean place of that water, metres.
     ///
-    /// Water that climbs the face is in reach, too. Ghosts under the top would turn it down and push it back, and the
-    /// wall would be pressed 4 % too hard as the water passes its edge. So the share is whole where the mean is over the
-    /// top. Before the edge it fades out, on half the way to the mean of water that stands beside the edge alone.
+    /// Water that climbs the face is also in reach. Ghosts under the top would turn it down and
+    /// push it back. The wall would be pressed 4 % too hard as the water passes its edge. So the
+    /// share is one where the mean is over the top. Before the edge it fades out, at half the
+    /// distance of the mean of water that only stands beside the edge.
     pub(super) fn carried(&self, x: f64, mean: [f64; 2], spacing: f64) -> f64 {
         let [over, above] = [mean[0] - self.ends[0], mean[1] - self.height];
         let high = lying(above, spacing);
@@ -96,8 +101,8 @@ impl Crest {
         if beside <= 0.0 { high } else { high * (1.0 + 2.0 * over / beside).clamp(0.0, 1.0) }
     }
 
-    /// How much of the face is wet within a support radius below the crest, from 0 to 1. What is nearer to it counts more.
-    /// `face` has heights, metres, and how wet the face is there.
+    /// Wet share of the face within a support radius below the crest, from 0 to 1. Points nearer to
+    /// the crest weigh more. `face` gives heights, metres, and the wetness there.
     pub(super) fn reached(&self, face: impl Iterator<Item = [f64; 2]>) -> f64 {
         let near = |height: f64| 1.0 - (self.height - height) / self.reach;
         let points = face.map(|[height, wet]| [near(height), wet]);
@@ -107,13 +112,14 @@ impl Crest {
         if all > 0.0 { sum / all } else { 0.0 }
     }
 
-    /// How much of a row of the face, metres high, around a point of it lies below the top.
+    /// The part of a row of the face that lies below the top, metres. `row` is its height.
     pub(super) fn below(&self, [x, y]: [f64; 2], row: f64) -> f64 {
         if x > self.ends[0] { 0.0 } else { (self.height - y + 0.5 * row).clamp(0.0, row) }
     }
 }
 
-/// How much of some water lies on a top, by how far its mean is above that, metres.
+/// The share of some water that lies on a top. `above` is the height of its mean above the top,
+/// metres.
 pub(super) fn lying(above: f64, spacing: f64) -> f64 {
     (above / (LIES_ON * spacing)).clamp(0.0, 1.0)
 }
@@ -124,7 +130,7 @@ mod tests {
     use crate::boundary::layout::FloorBehind;
     use crate::kernel::KernelChoice;
 
-    /// The water's mean is taken by sums over a lattice, with and without water on the crest.
+    /// The water's mean is found by sums over a lattice, with and without water on the crest.
     #[test]
     fn water_beside_the_edge_is_not_carried_and_a_sheet_is() {
         let shape = CrestShape { height: 0.3, width: 0.2, floor: None };
@@ -171,7 +177,8 @@ mod tests {
         assert!(rising.is_sorted() && rising[0] < 0.1 && rising[4] > 0.8, "{rising:?}");
     }
 
-    /// A gauge at an upright face stood on its top: at the end wall it read 0.8 m of water on a dry floor.
+    /// A gauge at an upright face once stood on its top: at the end wall it read 0.8 m of water on
+    /// a dry floor.
     #[test]
     fn a_gauge_at_a_face_stands_in_the_water_before_it() {
         let floor = FloorBehind { height: -0.1, length: 0.5, spacing: [0.02, 0.02] };

@@ -4,9 +4,9 @@ use super::crest::BACK;
 use super::ghosts::{BodySites, Reflection, Site};
 use super::layout::{CrestShape, TankLayout, at};
 
-/// An endless wall, cut off at its crest: its lattice ends at the line that halves the corner. Beyond that line
-/// lie those of top and back. Points of the face go on above the crest, where they tell how high
-/// the water stands over the edge. A back down to a floor is a body of its own.
+/// An endless wall, cut off at its crest. Its lattice ends at the bisector of the corner, and those
+/// of top and back begin there. Points of the face go on above the crest, to measure the height of
+/// the water over the edge. A back down to a floor is a body of its own.
 pub(super) fn crested(shape: CrestShape, layout: &TankLayout, wall: BodySites) -> BodySites {
     let TankLayout { spacing_x, spacing_y, support_radius, .. } = *layout;
     let CrestShape { height, width, floor } = shape;
@@ -25,7 +25,7 @@ pub(super) fn crested(shape: CrestShape, layout: &TankLayout, wall: BodySites) -
     if floor.is_some() {
         return BodySites { sites: kept, faces, plane };
     }
-    // What a thin wall has room for, so that water before it never feels its back.
+    // As many layers as a thin wall has room for, so that water before it does not feel its back.
     let behind = ((width - support_radius) / spacing_x).floor().max(0.0) as i64;
     let behind = behind.min((support_radius / spacing_x).ceil() as i64);
     for row in 0..(BACK * support_radius / spacing_y).round() as i64 {
@@ -51,13 +51,15 @@ pub(super) fn crested(shape: CrestShape, layout: &TankLayout, wall: BodySites) -
     BodySites { sites: kept, faces, plane }
 }
 
-/// How much of a ghost of such a cell, metres, lies past the line that halves a corner.
+/// The share of a ghost's cell that lies past the bisector of a corner. `cell` is the cell's size,
+/// metres.
 pub(super) fn past(across: f64, cell: f64) -> f64 {
     (0.5 + across * 0.5_f64.sqrt() / cell).clamp(0.0, 1.0)
 }
 
-/// Ghosts under a level stretch from a place on, metres. `share` tells how much of one counts from how far it
-/// lies inside the lines that halve the corners at both ends, and from the breadth of its cell.
+/// Ghosts under a level stretch that begins at a place, metres. `share` gives the share of a ghost
+/// that counts. Its arguments are the distance inside the bisectors of the corners at both ends,
+/// and the breadth of the cell.
 pub(super) fn flat(
     layout: &TankLayout,
     [from, height]: [f64; 2],
@@ -107,7 +109,8 @@ mod tests {
         let ghosts = tank_ghosts(&layout(Some(shape)), None, 0.05);
         let wall = &ghosts.bodies[Place::Right.number()];
         let area: f64 = wall.ghosts.clone().map(|g| ghosts.volume[g]).sum();
-        // A strip of a support's width: the toe's block, the face, the top, the back; corners once.
+        // A strip of one support radius: the toe's block, the face, the top, the back. Corners
+        // count once.
         let exact = 0.1 * 0.1 + 0.1 * 0.5 + 0.1 * 0.3 + 0.1 * 0.3 - 2.0 * 0.01;
         assert!((area / exact - 1.0).abs() < 0.02, "{area} of {exact}");
         let crest = ghosts.crest.as_ref().unwrap();
@@ -119,7 +122,7 @@ mod tests {
         }
     }
 
-    /// Below the reach of the corner nothing differs from an endless wall.
+    /// Below the reach of the corner, all is as behind an endless wall.
     #[test]
     fn far_below_its_crest_a_wall_is_endless() {
         let shape = CrestShape { height: 0.51, width: 0.2, floor: None };

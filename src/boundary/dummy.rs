@@ -4,12 +4,13 @@ use serde::{Deserialize, Serialize};
 
 use super::Interpolator;
 
-/// w_j = W(r_j - r) V_j / Σ W V around the ghost itself, no point being mirrored (Adami, Hu & Adams
+/// w_j = W(r_j - r) V_j / Σ W V around the ghost itself: no point is mirrored (Adami, Hu & Adams
 /// 2012, *Journal of Computational Physics* 231, Eqs. 22-27).
 ///
 /// With gravity in the sum this is their p_w = [Σ p_f W + (g - a_w)·Σ ρ r_wf W] / Σ W. Their
-/// velocity u = 2 u_w - ū takes the distance of the water that ū came from into account here, as it
-/// does for every interpolator. A ghost that no water can feel sees none either: it cannot fail.
+/// velocity is u = 2 u_w - ū. Here it also takes account of the distance of the water of ū, as for
+/// every interpolator. A ghost that no water can feel has no water in reach either, so this method
+/// cannot fail.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Dummy;
 

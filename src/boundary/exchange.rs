@@ -1,4 +1,4 @@
-//! From the water to the ghosts: one interpolation at every mirror point and its consequences.
+//! From the water to the ghosts: one interpolation at every mirror point, and its results.
 
 use std::marker::PhantomData;
 use std::ops::Range;
@@ -24,35 +24,35 @@ pub struct Exchange {
     pub(super) waterlines: Vec<Waterline>,
     /// The ghost next to each face point.
     pub(super) fronts: Vec<Option<u32>>,
-    /// Share of each face point's half disc that other walls leave; of the bed, 1.
+    /// Share of each face point's half disc that other walls leave open; of the bed, 1.
     pub(super) complete: Vec<f64>,
     pub(super) half_plane: Vec<f64>,
     pub(super) team: Team,
     /// Lists and weights, cut for the team.
     pub(super) parts: Vec<GhostPart>,
-    /// The targets where the list was made.
+    /// The targets for which the lists were made.
     places: [Vec<f64>; 2],
     /// Blocks with ghosts that have water in reach, at the last [`Exchange::fill`].
     pub(super) counting: Vec<u32>,
-    /// Room for the motions that [`Exchange::face_force`] supposes.
+    /// Room for the motions that [`Exchange::face_force`] assumes.
     pub(super) motions: Vec<BodyMotion>,
     pub(super) images: Vec<Image>,
     pub(super) scale: Vec<[f64; LANES]>,
-    /// Above one half where a simpler method had to stand in.
+    /// Above one half where a simpler method had to be used.
     pub(super) fallen: Vec<[f64; LANES]>,
-    /// How many of the filled ghosts hold what a simpler method gave.
+    /// Number of filled ghosts with values of a simpler method.
     pub(super) fallbacks: u64,
     pub(super) means: Vec<Means>,
     pub(super) wetness: Vec<f64>,
     /// Change of each ghost's pressure per acceleration of its wall, Pa/(m/s²), times its
     /// correction: xx, xy, yy.
     pub(super) responses: Vec<[f64; 3]>,
-    /// Bodies that give back what they do.
+    /// Bodies that give their work back to the water.
     pub(super) giving: Vec<Giving>,
 }
 
 impl Exchange {
-    /// Nothing is known of the water yet.
+    /// An exchange without data of the water.
     pub fn new(rules: ExchangeRules, ghosts: &Ghosts) -> Exchange {
         let half_plane =
             (0..=256).map(|k| rules.kernel.half_plane_fraction(f64::from(k) / 256.0)).collect();
@@ -86,7 +86,7 @@ impl Exchange {
         exchange
     }
 
-    /// Takes on a team for what follows the next [`Exchange::rebuild`].
+    /// Hands over a team of threads, which is used from the next [`Exchange::rebuild`] on.
     pub fn take_on(&mut self, team: &Team) {
         self.parts = vec![GhostPart::default(); team.parts()];
         self.team = team.clone();
@@ -97,8 +97,7 @@ impl Exchange {
         &self.responses
     }
 
-    /// How many of the ghosts that count hold what a simpler method gave, at the last
-    /// [`Exchange::fill`].
+    /// Number of counting ghosts with values of a simpler method, at the last [`Exchange::fill`].
     pub fn fallbacks(&self) -> u64 {
         self.fallbacks
     }
@@ -206,7 +205,7 @@ impl Exchange {
         });
     }
 
-    /// From where the water's mean pressure holds to a ghost, metres.
+    /// Vector from the place at which the water's mean pressure holds to a ghost, metres.
     pub(super) fn lever(&self, ghosts: &Ghosts, g: usize, motion: &BodyMotion) -> [f64; 2] {
         let (means, lane) = (&self.means[g / LANES], g % LANES);
         let anchor = if self.rules.ghost_gravity != GhostGravity::AtMirror {
@@ -224,7 +223,7 @@ impl Exchange {
         rules.surface_density + mean / (rules.sound_speed * rules.sound_speed)
     }
 
-    /// How much of a ghost counts.
+    /// The share of a ghost that counts.
     pub(super) fn wet_share_of(&self, ghosts: &Ghosts, body: usize, g: usize) -> f64 {
         match ghosts.face[g] {
             Site::ALWAYS_WET => 1.0,

@@ -1,4 +1,4 @@
-//! Pressures along a wall's face, from what the first ghosts behind it mirror.
+//! Pressures along a wall's face, from the water that the first ghosts behind it mirror.
 
 use std::ops::Range;
 
@@ -8,8 +8,8 @@ use crate::body::{BodyMotion, Place};
 use crate::math::simd::LANES;
 
 impl Ghosts {
-    /// The points up a body's face; none where there is no such body. Those of the back of a wall with a crest follow,
-    /// and are none of them.
+    /// The points up a body's face; none if there is no such body. Points of the back of a wall
+    /// with a crest come after them and are left out.
     pub fn up(&self, body: usize) -> Range<usize> {
         let faces = self.bodies.get(body).map_or(0..0, |body| body.faces.clone());
         let crest = self.crest.as_ref().filter(|_| body == Place::Right.number());
@@ -19,7 +19,8 @@ impl Ghosts {
 }
 
 impl Exchange {
-    /// The ghost next to each point of a body's face: the nearest one that asks it whether it is wet.
+    /// The ghost next to each point of a body's face: the nearest of those whose wetness the point
+    /// gives.
     pub(super) fn fronts(ghosts: &Ghosts) -> Vec<Option<u32>> {
         let first = ghosts.len();
         let mut fronts: Vec<Option<u32>> = vec![None; ghosts.target_x.len() - first];
@@ -33,9 +34,9 @@ impl Exchange {
         fronts
     }
 
-    /// The water's pressure at every point up a body's face, Pa; 0 where it is dry. It is the mean around
-    /// the mirror point of the ghost next to the point, moved to the face. It costs no interpolation of its
-    /// own.
+    /// The water's pressure at every point up a body's face, Pa; 0 where it is dry. It is the mean
+    /// around the mirror point of the next ghost, moved to the face. It needs no interpolation of
+    /// its own.
     pub fn face_pressures(
         &self,
         ghosts: &Ghosts,
@@ -52,9 +53,10 @@ impl Exchange {
         pressures.extend(ghosts.up(body).map(pressure));
     }
 
-    /// The water's pressure at a point of a face, Pa; 0 where no water is near. `from` is what has asked for the
-    /// mean around its mirror point: a ghost, or a point of a face. The weight of the water between moves that
-    /// mean to the face: p = p_m - ρ (g (y - y_m) + a (x - x_m)), and what the water's own acceleration makes of it.
+    /// The water's pressure at a point of a face, Pa; 0 where no water is near. `from` is the
+    /// target, a ghost or a face point, around which the mean was taken. The weight of the water
+    /// between moves the mean to the face: p = p_m - ρ (g (y - y_m) + a (x - x_m)), with the effect
+    /// of the water's own acceleration.
     pub(super) fn moved_to_face(
         &self,
         ghosts: &Ghosts,

@@ -1,4 +1,4 @@
-//! The waterline at the walls: how wet a face is, how high the water stands, how hard it presses.
+//! The waterline at the walls: wetness of a face, level of the water, and force on the face.
 
 use super::exchange::Exchange;
 use super::ghosts::Ghosts;
@@ -10,13 +10,13 @@ use super::waterline::{corner_angle, wedge_fraction};
 use crate::body::{BodyMotion, Place};
 use crate::math::simd::{LANES, SimdPath};
 
-/// So many points of the bed in a row are dry at the water's edge. At a step that is lower than a spacing one or two
-/// may read as dry under deep water.
+/// This many points of the bed in a row are dry at the water's edge. At a step lower than a
+/// spacing, one or two may read as dry under deep water.
 const EDGE: usize = 3;
 
 impl Exchange {
-    /// Turns the kernel coverage of the face points into a wetness: 2 Σ W V over what a full,
-    /// endless body of water would give there; 1/2 at the waterline of a vertical wall.
+    /// Turns the kernel coverage of the face points into a wetness: 2 Σ W V over its value in a
+    /// full, endless body of water. It is 1/2 at the waterline of a vertical wall.
     pub(super) fn wet_faces(&mut self, ghosts: &Ghosts, bodies: &[BodyMotion]) {
         for (number, body) in ghosts.bodies.iter().enumerate() {
             for face in body.faces.clone() {
@@ -33,7 +33,7 @@ impl Exchange {
         }
     }
 
-    /// What the bed leaves of the half discs around the points of the walls that rise from it.
+    /// The share that the bed leaves of the half discs around points of walls that rise from it.
     pub(super) fn complete_walls(&mut self, ghosts: &Ghosts) {
         if let Some(profile) = ghosts.profile.as_ref().and(ghosts.outline()) {
             self.complete_along(ghosts, profile, |_, _| true);
@@ -54,7 +54,7 @@ impl Exchange {
             }
         }
         if let Some(crest) = &ghosts.crest {
-            // Farther down it is an endless wall.
+            // Farther down the wall is as an endless one.
             let reach = self.rules.scaling.support_radius;
             let above = crest.height - reach;
             let front = crest.ends[0];
@@ -66,8 +66,8 @@ impl Exchange {
         }
     }
 
-    /// At the face of a wall that ends in a crest a level surface reads as the surface. Below the top the wall is
-    /// as an endless one. Above it water lies over the top, too.
+    /// Makes a level surface at the face of a wall with a crest read as the surface. Below the top
+    /// the wall is as an endless one. Above it, water also lies over the top.
     fn complete_below_crest(&mut self, ghosts: &Ghosts) {
         let Some(crest) = &ghosts.crest else { return };
         let open = ghosts.profile.as_ref().map(|bed| Open::of_endless(&self.rules, bed, ghosts));
@@ -84,8 +84,9 @@ impl Exchange {
         }
     }
 
-    /// What bed and walls leave of the discs around those points of bodies' faces, by their place in metres, where
-    /// the water's outline is not a level bed between endless walls.
+    /// The share that bed and walls leave of the discs around points of faces. It is for outlines
+    /// other than a level bed between endless walls. `asks` chooses points by body and place,
+    /// metres.
     fn complete_along(
         &mut self,
         ghosts: &Ghosts,
@@ -114,16 +115,16 @@ impl Exchange {
         if at > 0.0 { share } else { 1.0 - share }
     }
 
-    /// How much of a ghost counts: nothing half a spacing above the waterline, all of it half a
+    /// The share of a ghost that counts. It is zero half a spacing above the waterline, one half a
     /// spacing below.
     pub(super) fn wet_share(&self, body: usize, face: usize) -> f64 {
         self.waterlines[body].wet_share(self.wetness[face])
     }
 
-    /// Level of the water along a wall, metres above the bed: the first crossing of the wetness
-    /// that a level surface has at its contact with the wall (1/2 for a vertical one), so connected
-    /// to the water below. Where the water's edge lies on the bed, that of the edge. The body has moved so
-    /// far, metres.
+    /// Level of the water along a wall, metres above the bed. It is the first place where the
+    /// wetness falls to that of a level surface at this wall (1/2 for a vertical one). So it is
+    /// connected to the water below. If the water ends on the bed, it is the level of that edge.
+    /// `offset` is how far the body has moved, metres.
     pub fn level(&self, ghosts: &Ghosts, body: usize, offset: f64) -> f64 {
         if body == Place::Right.number()
             && let Some(edge) = self.shoreline(ghosts, offset)
@@ -144,13 +145,14 @@ impl Exchange {
         heights[dry - 1] + part * (heights[dry] - heights[dry - 1])
     }
 
-    /// Height of the water's edge on a bed that is not level, metres: going up from the paddle, the first
-    /// place from where on the bed is less than half wet for [`EDGE`] points. There a tongue is some one
-    /// spacing thick. None where the water reaches the wall, which has moved so far, metres: a bed that ends
-    /// level goes on behind it, and is dry there. None where the wall stands in water of its own.
+    /// Height of the water's edge on a bed that is not level, metres. Going up from the paddle, it
+    /// is the first place from which the bed is less than half wet for [`EDGE`] points. A tongue is
+    /// some one spacing thick there. None if the water reaches the wall, which has moved by
+    /// `offset`, metres: a bed that ends level goes on behind the wall and is dry there. None if
+    /// the wall stands in water of its own.
     fn shoreline(&self, ghosts: &Ghosts, offset: f64) -> Option<f64> {
         ghosts.profile.as_ref().filter(|_| !ghosts.lagoon)?;
-        // Of a wall that has come nearer no place before it is cut off as at rest.
+        // If the wall has come nearer, no place before it is cut off as it is at rest.
         let near = if offset < 0.0 { self.rules.scaling.support_radius } else { 0.0 };
         let end = ghosts.bodies[Place::Right.number()].plane.point[0] + offset.min(0.0) - near;
         let faces = ghosts.bodies[0].faces.clone();
@@ -166,7 +168,7 @@ impl Exchange {
     }
 
     /// Integral of the interpolated pressure over the face of a wall, along x, N per metre of
-    /// width: a check on the momentum reaction that shares nothing with it but the particles.
+    /// width. It checks the momentum reaction, and shares nothing with it but the particles.
     pub fn face_force(
         &mut self,
         path: SimdPath,
@@ -177,7 +179,8 @@ impl Exchange {
     ) -> f64 {
         let faces = ghosts.bodies[body].faces.clone();
         let [across, _] = ghosts.bodies[body].plane.normal;
-        // Rows stand as far apart as whole rows fill the depth: not the spacing along the bed.
+        // The distance between rows comes from whole rows in the depth. It is not the spacing along
+        // the bed.
         if faces.len() < 2 {
             return 0.0;
         }
@@ -204,8 +207,8 @@ impl Exchange {
     }
 }
 
-/// Toes of the bodies 1 and 2: the ends of the bed. Behind a wall at the end of a slope there is none
-/// to be cut off.
+/// Toes of the bodies 1 and 2, where the bed ends. Behind a wall at the end of a slope there is no
+/// bed to be cut off.
 pub(super) fn span(ghosts: &Ghosts, bodies: &[BodyMotion]) -> [f64; 2] {
     let face = |body: usize| ghosts.bodies[body].plane.point[0] + bodies[body].offset;
     [face(1), if ghosts.end_on_slope() { f64::MAX } else { face(2) }]

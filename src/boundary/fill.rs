@@ -1,4 +1,4 @@
-//! What a full step makes of the ghosts: records, and images that hold until the next one.
+//! The ghosts in a full step: records, and images that hold until the next one.
 
 use std::mem::take;
 
@@ -16,8 +16,8 @@ use crate::pairs::Record;
 
 impl Exchange {
     /// Writes the ghosts' records: place, volume, pressure and its response to their body's
-    /// acceleration, velocity. `ghost_records` are those of the ghosts alone; the body number
-    /// `responds` has its acceleration left out of the pressure and put into the response.
+    /// acceleration, velocity. `ghost_records` are those of the ghosts alone. For the body number
+    /// `responds` the acceleration is not in the pressure but in the response.
     pub fn fill(
         &mut self,
         path: SimdPath,
@@ -45,13 +45,13 @@ impl Exchange {
     }
 }
 
-/// What ghosts are made of: see [`Exchange::fill`].
+/// The inputs for ghosts: see [`Exchange::fill`].
 struct Filling<'a> {
     exchange: &'a Exchange,
     ghosts: &'a Ghosts,
     bodies: &'a [BodyMotion],
     responds: usize,
-    /// x of the walls' faces, metres, where the bed counts between them alone.
+    /// x of the walls' faces, metres, if the bed counts only between them.
     span: [f64; 2],
 }
 
@@ -120,7 +120,7 @@ impl Filling<'_> {
         }
     }
 
-    /// The volume of a ghost that counts, and how wet it is, where there is water in reach.
+    /// The volume of a ghost that counts, and its wetness, if there is water in reach.
     fn volume(&self, (body, g): (usize, usize), motion: &BodyMotion) -> Option<(f64, f64)> {
         let Filling { exchange, ghosts, span: [left, right], .. } = *self;
         let rules = &exchange.rules;
@@ -139,7 +139,7 @@ impl Filling<'_> {
         Some((volume, wet))
     }
 
-    /// How much a ghost under a crest counts, see [`Crest::carried`](super::Crest).
+    /// The share of a ghost under a crest, see [`Crest::carried`](super::Crest).
     fn share_on_crest(&self, body: usize, g: usize) -> f64 {
         let Filling { exchange, ghosts, .. } = *self;
         let level = Reflection::Plane { normal: [0.0, -1.0] };
@@ -153,8 +153,8 @@ impl Filling<'_> {
         }
     }
 
-    /// How much one of two ghosts at the edge of a dry top counts. The one under the top counts as far as water lies
-    /// on it. The one behind the face counts for the rest.
+    /// The share of one of two ghosts at the edge of a dry top. The one under the top counts by the
+    /// share of the water on the top. The one behind the face counts for the rest.
     fn share_on_top(&self, g: usize) -> f64 {
         let Filling { exchange, ghosts, .. } = *self;
         let under = match ghosts.twin[g] {
@@ -175,7 +175,7 @@ impl Filling<'_> {
         if under == g { share } else { 1.0 - share }
     }
 
-    /// Finds what makes a ghost of the means at its mirror point; returns its response.
+    /// Finds the image's coefficients from the means at the mirror point; returns its response.
     fn reflect(
         &self,
         (g, wet): (usize, f64),
@@ -185,7 +185,7 @@ impl Filling<'_> {
     ) -> [f64; 3] {
         let Filling { exchange, ghosts, .. } = *self;
         let lane = g % LANES;
-        // A thin sheet of water on a bed or a crest goes on below as the deep water that its ghosts stand for.
+        // Under a thin sheet of water on a bed or a crest, ghosts stand for deep water.
         let correction = if ghosts.is_deep(g) {
             [1.0, 0.0, 1.0]
         } else {
@@ -221,7 +221,7 @@ fn take_over(image: &Image, lane: usize, record: &mut Record) {
     record.set_pressure([pressure * xx[lane], pressure * xy[lane], pressure * yy[lane]]);
 }
 
-/// What has no water in reach goes with its wall, and counts for nothing.
+/// A ghost without water in reach moves with its wall and has no weight.
 fn leave_dry(record: &mut Record, motion: &BodyMotion) {
     let record = &mut record.0;
     record[Record::WEIGHT] = 0.0;
@@ -230,8 +230,8 @@ fn leave_dry(record: &mut Record, motion: &BodyMotion) {
     record[Record::PRESSURE..].fill(0.0);
 }
 
-/// The correction beyond a wall is the mirror image of the water's: then both sides of the
-/// waterline press alike.
+/// The correction beyond a wall is the mirror image of the water's. So both sides of the waterline
+/// press alike.
 fn mirrored_correction(means: &Means, lane: usize, reflection: Reflection) -> [f64; 3] {
     let [xx, xy, yy] = &means.correction;
     let [xx, xy, yy] = [xx[lane], xy[lane], yy[lane]];

@@ -1,4 +1,4 @@
-//! Some weighted means alone, with weights that are already known, and what is to come of them.
+//! Means of some fields with weights that are already known, and the ghosts' values from them.
 
 use super::exchange::Exchange;
 use super::ghost_part::GhostPart;
@@ -10,19 +10,19 @@ use crate::math::simd::{LANES, Lanes, SimdPath, Task, dispatch};
 use crate::math::team::First;
 use crate::pairs::{Factors, Flow};
 
-/// Where some means stand among all.
+/// Selects the means of some fields.
 type Places<const N: usize> = fn(&mut Means) -> [&mut [f64; LANES]; N];
 
-/// Some means alone, with the weights at hand: of `N` fields of the water.
+/// Finds the means of `N` fields of the water, with the present weights.
 struct Gather<'a, const N: usize> {
     part: &'a GhostPart,
     /// Some of the part's blocks.
     blocks: &'a [u32],
     scale: &'a [[f64; LANES]],
-    /// The part's.
+    /// The part's means.
     means: &'a mut [Means],
     fields: [&'a [f64]; N],
-    /// Where they belong.
+    /// Where the results belong.
     places: Places<N>,
 }
 
@@ -43,11 +43,11 @@ impl<const N: usize> Task for Gather<'_, N> {
     }
 }
 
-/// New means at the ghosts of a part, and what is to come of them.
+/// New means at the ghosts of a part, for the values to be made from them.
 struct Renewed<'a> {
-    /// Blocks that count.
+    /// Blocks of ghosts that count.
     blocks: &'a [u32],
-    /// The block that images, means and numbers begin with.
+    /// The first block of images, means and numbers.
     first: usize,
     images: &'a mut [Image],
     means: &'a [Means],
@@ -56,10 +56,10 @@ struct Renewed<'a> {
 }
 
 impl Exchange {
-    /// Interpolates the velocities anew, with the weights at hand, for the continuity equation, and puts
-    /// them into the numbers that ghosts have as neighbours. There walls are smooth whatever the slip (De
-    /// Leffe et al. 2011): a tangential velocity turned round at the wall would be compression that no
-    /// force does work on. `water` holds the fluid's velocities along x and y.
+    /// Interpolates the velocities again for the continuity equation, with the present weights.
+    /// They go into the ghosts' numbers as neighbours. Here walls are smooth for any slip (De Leffe
+    /// et al. 2011): a tangential velocity reversed at the wall would be a compression on which no
+    /// force does work. `water` holds the fluid's velocities along x and y.
     pub fn refresh_velocities(
         &mut self,
         path: SimdPath,
@@ -76,8 +76,8 @@ impl Exchange {
         });
     }
 
-    /// Interpolates the pressures anew, with the weights, wetness and corrections at hand and the
-    /// ghosts where they were, and puts them into the numbers that ghosts have as neighbours.
+    /// Interpolates the pressures again, with the present weights, wetness, corrections and places
+    /// of the ghosts. They go into the ghosts' numbers as neighbours.
     pub fn refresh_pressures(
         &mut self,
         path: SimdPath,
@@ -95,8 +95,8 @@ impl Exchange {
         });
     }
 
-    /// Means of some fields of the water at the ghosts that count, with the weights at hand, and where they
-    /// belong; then all that comes of them.
+    /// Finds means of some fields of the water at the ghosts that count, with the present weights.
+    /// `make` then finds what depends on them.
     fn renew<const N: usize>(
         &mut self,
         path: SimdPath,

@@ -1,18 +1,18 @@
-//! The targets in parts, one or more for each thread that works on the case.
+//! The targets in parts, one or more for each thread of the case.
 
 use std::ops::Range;
 
 use crate::math::team::Part;
 use crate::pairs::{HeldWeights, PairList};
 
-/// Consecutive blocks of eight targets with the water around them: one thread's share of a pass.
-/// Lists count blocks from the first.
+/// Consecutive blocks of eight targets with the water around them: one thread's share of a pass. In
+/// lists blocks are counted from the first.
 #[derive(Debug, Clone, Default)]
 pub(super) struct GhostPart {
     pub blocks: Range<usize>,
     pub list: PairList,
     pub held: HeldWeights,
-    /// How many of its ghosts hold what a simpler method gave.
+    /// Number of its ghosts with values of a simpler method.
     pub fallbacks: u64,
 }
 
@@ -23,7 +23,7 @@ impl Part for GhostPart {
 }
 
 impl GhostPart {
-    /// Its own of some blocks. These are in order, unless it is the only part.
+    /// Those of some blocks that are its own. The blocks are in order, unless it is the only part.
     #[inline(always)]
     pub fn among<'a>(&self, blocks: &'a [u32]) -> &'a [u32] {
         let before = |end: usize| blocks.partition_point(|&block| (block as usize) < end);

@@ -36,7 +36,7 @@ pub struct Site {
     pub face: u32,
     /// Volume that it stands for (an area, in two dimensions), m².
     pub volume: f64,
-    /// Number of another one at the same place, if one of them counts as far as the other does not.
+    /// Number of another site at the same place, if the two share one weight.
     pub twin: u32,
 }
 
@@ -87,8 +87,7 @@ pub struct Ghosts {
     pub distance: Vec<f64>,
     /// Face point (a number among the targets) of each ghost.
     pub face: Vec<u32>,
-    /// The other ghost at the same place, where there are two of which one counts as far as the other does not;
-    /// else [`Site::ALONE`].
+    /// The other ghost at the same place, if the two share one weight; else [`Site::ALONE`].
     pub twin: Vec<u32>,
     /// Full volume (an area, in two dimensions), m²; 0 for padding.
     pub volume: Vec<f64>,
@@ -102,16 +101,16 @@ pub struct Ghosts {
     pub bodies: Vec<GhostBody>,
     /// The bed, where it is not level.
     pub profile: Option<Profile>,
-    /// Whether it comes out of the still water before a right wall that stands in it.
+    /// Whether the bed rises out of the still water, and a right wall stands in water behind it.
     pub lagoon: bool,
-    /// Where its shore begins, metres, where it has one: see [`Profile::shore`].
+    /// Where its shore begins, metres, if it has one: see [`Profile::shore`].
     pub shore: Option<f64>,
-    /// Where the right wall ends, where water may go over it.
+    /// The crest of the right wall, if water may go over it.
     pub crest: Option<Crest>,
 }
 
 impl Ghosts {
-    /// Arranges the sites, face points and planes of bodies; `strip_width` is that of the neighbour
+    /// Arranges the sites, face points and planes of bodies. `strip_width` is that of the neighbour
     /// search.
     pub fn new(bodies: &[BodySites], strip_width: f64) -> Ghosts {
         let mut all = Ghosts::default();
@@ -124,19 +123,19 @@ impl Ghosts {
         all
     }
 
-    /// Whether the bed ends on a slope. Then it goes on behind the wall there as the wedge of their corner
-    /// alone.
+    /// Whether the bed ends on a slope. If so, behind the wall there is only the wedge of their
+    /// corner.
     pub fn end_on_slope(&self) -> bool {
         self.profile.as_ref().is_some_and(|bed| !bed.ends_level())
     }
 
-    /// The line that bounds the water from below, where it is more than a level bed between its walls: the
-    /// bed, and where there is a crest the wall's face, its top, its back and what lies behind.
+    /// The line that bounds the water from below, if it is more than a level bed between walls. It
+    /// is the bed, and with a crest also the wall's face, its top, its back and what lies behind.
     pub fn outline(&self) -> Option<&Profile> {
         self.crest.as_ref().map(|crest| &crest.outline).or(self.profile.as_ref())
     }
 
-    /// The height that a gauge stands on, metres above the paddle's foot.
+    /// The height of the ground under a gauge, metres above the paddle's foot.
     pub fn ground(&self, x: f64) -> f64 {
         let bed = || self.profile.as_ref().map_or(0.0, |bed| bed.height(x));
         self.crest.as_ref().map_or_else(bed, |crest| crest.ground(x))
@@ -153,8 +152,8 @@ impl Ghosts {
         floor.into_iter().flatten().fold(0.0, |low, point| low.min(point[1]))
     }
 
-    /// Whether a ghost stands for deep water whatever lies on it: below a bed that is not level, below
-    /// a crest, and below the floor behind it.
+    /// Whether a ghost stands for deep water even under a thin sheet: below a bed that is not
+    /// level, below a crest, and below the floor behind it.
     pub(super) fn is_deep(&self, g: usize) -> bool {
         let below = |body: usize| self.bodies[body].ghosts.contains(&g);
         let level = Reflection::Plane { normal: [0.0, -1.0] };

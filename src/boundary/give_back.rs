@@ -1,4 +1,4 @@
-//! The steps of bodies that give back what work they do: see `giving.rs`.
+//! The steps of bodies that give their work back to the water: see `giving.rs`.
 
 use super::alongside::Alongside;
 use super::exchange::Exchange;
@@ -8,7 +8,7 @@ use crate::body::{BodyMotion, Place};
 use crate::math::simd::{LANES, Lanes, SimdPath, Task, dispatch};
 use crate::pairs::{Factors, Flow, Record};
 
-/// Gives back what ran into the ghosts of some blocks.
+/// Gives back the water that flows into the ghosts of some blocks.
 struct GiveBack<'a> {
     exchange: &'a Exchange,
     giving: &'a Giving,
@@ -30,7 +30,7 @@ impl Task for GiveBack<'_> {
                     (giving.fluxes_of(row), giving.beside::<L>(row, bodies));
                 let along = run_in(along, u, beside_u);
                 let up = run_in(up, v, beside_v);
-                // A pressure that is held at its lowest is not the water's.
+                // A pressure held at its lower bound is not that of the water.
                 let (zero, pressure) = (L::splat(0.0), L::load(&image.pressure));
                 let mut flux = along + up;
                 if giving.smooth.is_on() {
@@ -47,7 +47,7 @@ impl Task for GiveBack<'_> {
     }
 }
 
-/// Σ_i f_i (u_i - U), of fluxes f and velocities u of the water around eight ghosts.
+/// Σ_i f_i (u_i - U), with fluxes f and velocities u of the water around eight ghosts.
 #[inline(always)]
 fn run_in<L: Lanes>(held: (&[u32], &[[f64; LANES]]), velocity: &[f64], beside: L) -> L {
     let of_one = |sum: L, (&i, flux): (&u32, &[f64; LANES])| {
@@ -56,7 +56,7 @@ fn run_in<L: Lanes>(held: (&[u32], &[[f64; LANES]]), velocity: &[f64], beside: L
     held.0.iter().zip(held.1).fold(L::splat(0.0), of_one)
 }
 
-/// The bed's ghosts as neighbours, with their velocities less those that water beside a wall has.
+/// The bed's ghosts as neighbours, with velocities relative to those of water beside a wall.
 struct Relative<'a> {
     exchange: &'a Exchange,
     giving: &'a Giving,
@@ -82,7 +82,7 @@ impl Task for Relative<'_> {
     }
 }
 
-/// Hands back what the ghosts of the bed push along it.
+/// Returns to the water the pushes of the bed's ghosts along the bed.
 struct HandBack<'a> {
     exchange: &'a Exchange,
     giving: &'a Giving,
@@ -112,18 +112,18 @@ impl Task for HandBack<'_> {
     }
 }
 
-/// What the water hears of a body that gives back.
+/// The data of a body that gives back, as the water needs it.
 pub struct Gives<'a> {
     /// Number of its ghosts among the groups of neighbours.
     pub group: usize,
-    /// How much it gives back of what it does.
+    /// The share of its work that it gives back.
     pub share: f64,
-    /// How it goes with walls beside it that move.
+    /// The velocity of water along the bed beside moving walls.
     pub alongside: Option<&'a Alongside>,
 }
 
 impl Exchange {
-    /// The bodies that give back what they do now.
+    /// The bodies that give back their work now.
     pub fn gives(&self) -> impl Iterator<Item = Gives<'_>> {
         self.giving_now().map(|Giving { place, share, alongside, .. }| Gives {
             group: place.number() + 1,
@@ -136,8 +136,8 @@ impl Exchange {
         self.giving.iter().filter(|giving| giving.share > 0.0)
     }
 
-    /// Finds how water runs into the ghosts of bodies that give back, for the steps until the next full one. The records
-    /// are those of the water, and of the ghosts alone.
+    /// Finds the flow of water into the ghosts of bodies that give back, for the steps until the
+    /// next full one. The records are those of the water, and of the ghosts alone.
     pub fn find_fluxes(
         &mut self,
         path: SimdPath,
@@ -155,7 +155,8 @@ impl Exchange {
         self.giving = all;
     }
 
-    /// How much a body gives back. A wall with a crest does as far as water is at its crest.
+    /// The share that a body gives back. For a wall with a crest it is the share to which water is
+    /// at its crest.
     fn share_given(&self, place: Place, ghosts: &Ghosts, records: &[Record]) -> f64 {
         let Some(crest) = ghosts.crest.as_ref().filter(|_| place == Place::Right) else {
             return 1.0;
@@ -169,8 +170,9 @@ impl Exchange {
         on_top.fold(crest.reached(on_face), f64::max)
     }
 
-    /// Finds the volume per second that each particle gives to the ghosts, m²/s, from velocities along x and y.
-    /// The velocities of ghosts relative to walls beside them go into `factors`, their numbers as neighbours.
+    /// Finds the volume per second that each particle gives to the ghosts, m²/s, from velocities
+    /// along x and y. The velocities of ghosts relative to walls beside them go into `factors`,
+    /// their numbers as neighbours.
     pub fn give_back(
         &self,
         path: SimdPath,
@@ -189,8 +191,8 @@ impl Exchange {
         }
     }
 
-    /// Adds to the water's accelerations, m/s², what it gets back of the ghosts' pushes along the bed. Masses per metre
-    /// of width, kg/m.
+    /// Adds to the water's accelerations, m/s², what it gets back of the ghosts' pushes along the
+    /// bed. Masses are per metre of width, kg/m.
     pub fn hand_back(&self, path: SimdPath, mass: &[f64], accelerations: [&mut [f64]; 2]) {
         if let Some(giving) = self.giving.iter().find(|giving| giving.smooth.is_on()) {
             dispatch(path, HandBack { exchange: self, giving, mass, accelerations });

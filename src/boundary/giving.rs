@@ -1,17 +1,23 @@
-//! Ghosts that neither take energy out of the water nor put any in: those of a bed, or of a wall that ends in a crest.
+//! Ghosts that neither take energy from the water nor add any: those of a bed, or of a wall with a
+//! crest.
 //!
-//! A ghost has the pressure p_g = Σ_k w_k p_k of the water around its mirror point. Pressing on the water it does
-//! the work -p_g D_g per second,
+//! A ghost has the pressure p_g = Σ_k w_k p_k of the water around its mirror point. Its pressure
+//! does the work -p_g D_g per second on the water,
 //!
 //! ```text
 //! D_g = V_g Σ_i V_i u_i · L_g ∇W_ig
 //! ```
-//! the rate at which water runs into the ghost. That work is the water's own, so it gives it back: volume D_g is taken
-//! from the water around the mirror point, w_k D_g from each particle. This takes the place of the ghosts' velocities
-//! in the continuity equation. Beside a straight face both are alike. At an edge the flow is no mirror image of
-//! itself: there the velocities take energy on the way in and make as much again on the way out. Where water goes over a
-//! crest it does not come back. Then water before the wall seems to run into the ghosts under the top, its pressure
-//! sinks, and its particles crowd. At a bed beside a wall that moves velocities are relative to the wall: see
+//! where D_g is the rate at which water flows into the ghost. This work comes from the water, so it
+//! is given back: volume D_g is taken from the water around the mirror point, w_k D_g from each
+//! particle. In the continuity equation this replaces the ghosts' velocities.
+//!
+//! At a straight face both are alike. At an edge the flow is no mirror image of itself. There the
+//! ghosts' velocities take energy as the water comes, and make as much again as it goes. But water
+//! that goes over a crest does not come back. Then water before the wall seems to flow into the
+//! ghosts under the top, its pressure falls, and its particles crowd.
+//!
+//! At a bed beside a moving wall velocities are relative to the wall: see `alongside.rs`. At the
+//! edge of the water they are relative to the water's own: see `smooth.rs`.
 //! `alongside.rs`. At the edge of the water they are relative to the water's own: see `smooth.rs`.
 
 use std::marker::PhantomData;
@@ -27,25 +33,26 @@ use crate::math::simd::{LANES, Lanes, SimdPath, Task, dispatch};
 use crate::pairs::{HeldWeights, PairList, PointSet, Record, build_pair_list};
 use crate::with_kernel;
 
-/// The water around the ghosts of one body themselves, not around their mirror points.
+/// The water around the ghosts of one body themselves (not around their mirror points).
 #[derive(Debug, Clone)]
 pub(super) struct Giving {
     /// The body.
     pub place: Place,
     /// The first of its blocks.
     first: usize,
-    /// How much of its work it gives back. For the rest its ghosts have velocities.
+    /// The share of its work that it gives back. For the rest its ghosts have velocities.
     pub share: f64,
     list: PairList,
-    /// V_g V_i L_g ∇W_ig, its parts along x and up, m, of its blocks.
+    /// V_g V_i L_g ∇W_ig of its blocks, along x and up, m.
     fluxes: [HeldWeights; 2],
-    /// How a bed goes with walls that move. No other body has any beside it.
+    /// Velocities beside moving walls; only for a bed.
     pub alongside: Option<Alongside>,
     pub smooth: Smooth,
 }
 
 impl Giving {
-    /// A bed that is not level may give back, and a wall that ends in a crest with what is behind it.
+    /// The bodies that give back: a bed that is not level, and a wall with a crest and what is
+    /// behind it.
     pub fn all(rules: &ExchangeRules, ghosts: &Ghosts) -> Vec<Giving> {
         let bed = rules.conservative_bed && ghosts.profile.is_some();
         let wall = rules.conservative_crest && ghosts.crest.is_some();
@@ -80,8 +87,8 @@ impl Giving {
         self.fluxes.iter_mut().for_each(|flux| flux.make_room(&self.list));
     }
 
-    /// Finds how water runs into its ghosts, of the blocks that count. The records are those of the water, and of
-    /// the ghosts alone.
+    /// Finds the flow of water into its ghosts, at the blocks that count. The records are those of
+    /// the water, and of the ghosts alone.
     pub fn find(
         &mut self,
         path: SimdPath,
@@ -127,12 +134,13 @@ impl Giving {
         &counting[before(self.first)..before(self.first + self.list.clusters())]
     }
 
-    /// Of a block, by its number among all: the water around, and V_g V_i L_g ∇W_ig along x and up, m.
+    /// For a block, by its number among all: the water around, and V_g V_i L_g ∇W_ig along x and
+    /// up, m.
     pub fn fluxes_of(&self, block: usize) -> [(&[u32], &[[f64; LANES]]); 2] {
         self.fluxes.each_ref().map(|flux| flux.of(block - self.first))
     }
 
-    /// The velocity that the body's ghosts are seen from at a block, m/s.
+    /// The velocity U at a block, m/s, which velocities are taken relative to.
     #[inline(always)]
     pub fn beside<L: Lanes>(&self, block: usize, bodies: &[BodyMotion]) -> [L; 2] {
         let still = [L::splat(0.0); 2];
@@ -150,7 +158,7 @@ struct Flux<'a, K> {
     list: &'a PairList,
     fluxes: &'a mut [HeldWeights; 2],
     blocks: &'a [u32],
-    /// Of all blocks, the one that lists and fluxes begin with.
+    /// The block at which lists and fluxes begin.
     first: usize,
     images: &'a [Image],
     /// Of the water, and of the ghosts alone.

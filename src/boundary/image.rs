@@ -7,8 +7,8 @@ use crate::body::BodyMotion;
 use crate::math::simd::{LANES, Lanes, Task};
 use crate::pairs::{Factors, Flow};
 
-/// What makes eight ghosts of the water's means, from one filling to the next, and what was made
-/// last. Both laws are linear, with factors that depend on places alone.
+/// The coefficients that turn the water's means into eight ghosts, from one filling to the next,
+/// and the last results. Both laws are linear, with factors that depend only on places.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Image {
     /// x and y over the support radius.
@@ -19,20 +19,20 @@ pub struct Image {
     pub pressure: [f64; LANES],
     /// Velocities, m/s.
     pub velocity: [[f64; LANES]; 2],
-    /// Turns a velocity relative to the wall into its image's: xx, xy, yy.
+    /// Turns a velocity relative to the wall into the image's: xx, xy, yy.
     pub(super) mirror: [[f64; LANES]; 3],
-    /// The same of smooth walls.
+    /// The same for smooth walls.
     pub(super) smooth: [[f64; LANES]; 3],
-    /// From where the water's mean pressure holds to the ghost, metres. Nothing along x where the
-    /// wall's acceleration does not count.
+    /// Vector from the place at which the water's mean pressure holds to the ghost, metres. Its x
+    /// is zero where the wall's acceleration does not count.
     pub(super) lever: [[f64; LANES]; 2],
-    /// What the water's own acceleration along the face adds to the head, m²/s².
+    /// The head that the water's own acceleration along the face adds, m²/s².
     pub(super) falling: [f64; LANES],
-    /// The lowest pressure that there may be, Pa.
+    /// Lower bound of the pressure, Pa.
     pub(super) lowest: [f64; LANES],
 }
 
-/// New pressures of the ghosts in some blocks, and the numbers of them that they have as neighbours of the water.
+/// New pressures of the ghosts in some blocks, and their numbers as neighbours of the water.
 pub(super) struct Press<'a> {
     pub blocks: &'a [u32],
     /// The block that images and means begin with.
@@ -42,7 +42,7 @@ pub(super) struct Press<'a> {
     pub ghosts: &'a Ghosts,
     pub bodies: &'a [BodyMotion],
     pub rules: ExchangeRules,
-    /// Numbers are wanted for passes over held pairs alone.
+    /// Numbers are only needed for passes over held pairs.
     pub factors: Option<&'a mut [Factors]>,
 }
 

@@ -8,8 +8,8 @@ use crate::math::simd::{LANES, Lanes};
 
 /// w_j ∝ φ(r_j)⁴, φ = β(r)/r, β = exp(-σ q²/(1 - q^λ)), q = r/R (Huang et al. 2019, Eqs. 17-20).
 ///
-/// β is made dimensionless with q where the paper has r in metres (there β ≈ 1: σ → 0). μ = 4 as
-/// in the paper. Only sums, no matrix: it cannot fail, whatever the neighbourhood. At a
+/// β is dimensionless through q. The paper has r in metres, where β ≈ 1 and σ has no effect. μ = 4
+/// as in the paper. There are only sums and no matrix, so it cannot fail in any neighbourhood. At a
 /// coincident point it takes that particle's value.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ImprovedShepard {
@@ -53,7 +53,7 @@ impl Interpolator for ImprovedShepard {
         let mut sum = L::splat(0.0);
         for (k, weight) in weights.iter_mut().enumerate() {
             let (dx, dy) = stencil.apart(k);
-            // Nearer than 1e-6 R is coincident: the weight then outshines all others by 1e20.
+            // Nearer than 1e-6 R is coincident: the weight is then 1e20 times all others.
             let s = dx.mul_add(dx, dy * dy).max(L::splat(1e-12));
             let room = (one - self.power(s)).max(L::splat(1e-3));
             // One division for both 1/s² and 1/(1 - q^λ).

@@ -1,35 +1,35 @@
-//! What a tank is like, and where the cells of its lattices lie.
+//! The shape of a tank, and the places of cells in its lattices.
 
 /// The tank at rest, metres.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TankLayout {
-    /// Between the toes of both walls.
+    /// Distance between the toes of both walls.
     pub length: f64,
     /// Particle spacing along the bed.
     pub spacing_x: f64,
     /// Particle spacing upwards.
     pub spacing_y: f64,
-    /// Support radius of the kernel: how thick a wall must be.
+    /// Support radius of the kernel: the thickness of a wall.
     pub support_radius: f64,
     /// How far the walls rise above the bed.
     pub wall_height: f64,
-    /// How far the bed goes on behind the wall, for the wall to move over.
+    /// How far the bed goes on behind the wall, so that the wall can move over it.
     pub bed_beyond_wall: f64,
-    /// How far it goes on before the paddle, for that to move over.
+    /// How far the bed goes on before the paddle, for the same reason.
     pub bed_before_paddle: f64,
     /// Angle of the right wall from the bed, degrees: 90 is vertical, 120 leans away from the water.
     pub wall_angle_deg: f64,
     /// Height of the still water's surface above the paddle's foot.
     pub still_level: f64,
-    /// The bed may run dry: its ghosts ask face points whether they are wet.
+    /// Whether the bed may run dry: its ghosts then ask face points whether they are wet.
     pub dry_bed: bool,
-    /// Where the right wall ends; none for one that no water goes over.
+    /// The end of the right wall; none if no water goes over it.
     pub crest: Option<CrestShape>,
 }
 
 #[cfg(test)]
 impl TankLayout {
-    /// A tank of upright walls over a bed that moves with neither, at spacings of 0.02 m, for tests.
+    /// A tank with upright walls and a bed that ends at them, at spacings of 0.02 m, for tests.
     pub(super) fn plain(length: f64, wall_height: f64, crest: Option<CrestShape>) -> TankLayout {
         TankLayout {
             length,
@@ -54,7 +54,7 @@ pub struct CrestShape {
     pub height: f64,
     /// From the wall's face to its back.
     pub width: f64,
-    /// What lies behind it; none where water is taken away there.
+    /// The ground behind it; none where water is taken away there.
     pub floor: Option<FloorBehind>,
 }
 
@@ -65,7 +65,7 @@ pub struct FloorBehind {
     pub height: f64,
     /// From the back of the wall to the end wall.
     pub length: f64,
-    /// Of particles there, along the floor and upwards.
+    /// Particle spacing there, along the floor and upwards.
     pub spacing: [f64; 2],
 }
 

@@ -1,4 +1,4 @@
-//! Laws of mirrors: what a ghost's velocity is, given the water's.
+//! The velocity of a ghost, from that of the water.
 
 use super::exchange::Exchange;
 use super::ghosts::{Ghosts, Reflection};
@@ -9,10 +9,10 @@ use crate::math::simd::LANES;
 const MIRROR_LIMIT: f64 = 3.0;
 
 impl Exchange {
-    /// What a ghost's velocity relative to its wall is, per that of the water: xx, xy, yy. Across
-    /// the wall it is reversed, times the ghost's distance over that of the water which the mean is
-    /// taken from; along it the water's goes on (free slip) or, where `stuck`, is reversed likewise
-    /// (no slip).
+    /// A ghost's velocity relative to its wall per that of the water: xx, xy, yy. Across the wall
+    /// it is reversed, times the ghost's distance over that of the water's mean place. Along the
+    /// wall it is the water's (free slip). If `stuck`, it is reversed there in the same way (no
+    /// slip).
     pub(super) fn mirror(
         &self,
         ghosts: &Ghosts,

@@ -9,10 +9,10 @@ use crate::math::simd::{LANES, Lanes};
 /// w_j = e₁ᵀM⁻¹ b_j W_j V_j, M = Σ b_j ⊗ b_j W_j V_j, b = (1, x_j - x, y_j - y) (Huang et al. 2019,
 /// Eqs. 8-9): exact for linear fields.
 ///
-/// With the weighted centre r̄ and scatter C of the neighbours this is
-/// w_j ∝ W_j V_j [1 - (r_j - r̄)·g], g = C⁻¹(r̄ - r) Σ W V. Where C is singular (fewer than three
-/// particles, or all on a line), or Σ|w_j| exceeds `amplification_limit`, the normalized
-/// interpolation stands in, g = 0, and the ghost counts as a fallback.
+/// With the weighted centre r̄ and scatter C of the neighbours this is w_j ∝ W_j V_j [1 - (r_j -
+/// r̄)·g], g = C⁻¹(r̄ - r) Σ W V. C is singular for fewer than three particles, or if all are on a
+/// line. If so, or if Σ|w_j| exceeds `amplification_limit`, the normalized interpolation is used (g
+/// = 0), and the ghost counts as a fallback.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct MlsLinear {
     /// Largest Σ|w_j|: how much the weights may amplify noise.
@@ -30,7 +30,7 @@ pub(super) type Moments<L> = [L; 6];
 pub(super) struct Plane<L>(pub [L; 3]);
 
 impl<L: Lanes> Plane<L> {
-    /// From the moments of the neighbours; and 1 in the singular lanes, whose plane is flat.
+    /// From the moments of the neighbours; also 1 in the singular lanes, whose plane is flat.
     #[inline(always)]
     pub fn solve([m, mx, my, mxx, mxy, myy]: Moments<L>) -> (Plane<L>, L) {
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
@@ -49,7 +49,7 @@ impl<L: Lanes> Plane<L> {
         (Plane([x.mul_add(gx, y.mul_add(gy, one)), zero - gx, zero - gy]), unsolved)
     }
 
-    /// No slope in the lanes above one half.
+    /// Sets the slope to zero in the lanes above one half.
     #[inline(always)]
     pub fn flattened(self, lanes: L) -> Plane<L> {
         let Plane([a, b, c]) = self;

@@ -10,9 +10,9 @@ use crate::math::simd::{LANES, Lanes};
 /// Huang et al. 2019, Eqs. 8-9, with b = (1, ξ, η, ξ², ξη, η²), (ξ, η) = (r_j - r)/R: exact for
 /// quadratic fields.
 ///
-/// M is factored as L D Lᵀ. Where a pivot vanishes (fewer than six particles, or all on a conic),
-/// or Σ|w_j| exceeds `amplification_limit`, the linear basis stands in, and where that is unfit the
-/// normalized interpolation: the ghost counts as a fallback, once.
+/// M is factored as L D Lᵀ. A pivot vanishes for fewer than six particles, or if all are on a
+/// conic. If so, or if Σ|w_j| exceeds `amplification_limit`, the linear basis is used. If that
+/// fails too, the normalized interpolation is used. The ghost counts as a fallback once.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct MlsQuadratic {
     /// Largest Σ|w_j|: how much the weights may amplify noise.
@@ -21,8 +21,8 @@ pub struct MlsQuadratic {
 
 const SIZE: usize = 6;
 
-/// Powers of ξ and η in the basis. The constant is last: the right-hand side e then passes through
-/// the forward substitution unchanged.
+/// Powers of ξ and η in the basis. The constant is last, so that the forward substitution leaves
+/// the right-hand side e unchanged.
 const POWERS: [[usize; 2]; SIZE] = [[2, 0], [1, 1], [0, 2], [1, 0], [0, 1], [0, 0]];
 
 /// Smallest pivot over its diagonal entry that counts as not singular.

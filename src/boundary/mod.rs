@@ -1,10 +1,11 @@
-//! Fixed ghost particles: what fills the kernel's support beyond a wall.
+//! Fixed ghost particles: they fill the kernel's support beyond a wall.
 //!
-//! Every ghost mirrors a point in the water (Huang et al. 2019, Fig. 1). Each step an
-//! [`Interpolator`] gives weights to the fluid particles around that point; [`Exchange`] turns the
-//! weighted sums into the ghost's pressure and velocity, the same way for every interpolator.
-//! A new interpolator is one file, a line of `interpolators!`, and the arm of `Numerics::interpolator`
-//! that gives it its parameters.
+//! Every ghost mirrors a point in the water (Huang et al. 2019, Fig. 1). In each step an
+//! [`Interpolator`] gives weights to the fluid particles around that point. [`Exchange`] turns the
+//! weighted sums into the ghost's pressure and velocity, in the same way for every interpolator.
+//!
+//! A new interpolator needs one file, a line of `interpolators!`, and an arm of
+//! `Numerics::interpolator` for its parameters.
 
 mod alongside;
 mod bed;
@@ -67,19 +68,19 @@ use crate::math::simd::{LANES, Lanes};
 
 /// Gives fluid particles their weights in the interpolation at a point.
 pub trait Interpolator: Copy + Send + Sync + 'static {
-    /// With its default parameters, and with all others that tests are to try.
+    /// With its default parameters, and with all others for tests.
     const TRIED: &'static [Self];
-    /// The water around the ghost itself is taken, rather than around the point that it mirrors.
+    /// The water is taken around the ghost itself, not around its mirror point.
     const AT_GHOST: bool = false;
-    /// Weights may be negative, and a simpler method may have to stand in.
+    /// Weights may be negative, and a simpler method may have to be used.
     const SIGNED: bool = false;
     /// The nearest particle outweighs all others wherever it is near.
     const PEAKED: bool = false;
-    /// The weights handed in are the kernel's, w(|r_j - r|) V_j; else they are left-overs.
+    /// The weights passed in are the kernel's, w(|r_j - r|) V_j. Otherwise they have no meaning.
     const FROM_KERNEL: bool = false;
 
-    /// Weights of the stencil's neighbours at its eight points, written to `weights`, and the
-    /// factor that makes each lane's weights sum to one. By default weights stay as handed in.
+    /// Writes the weights of the stencil's neighbours at its eight points to `weights`. Returns the
+    /// factor that makes each lane's weights sum to one. By default weights stay as passed in.
     #[inline(always)]
     fn weigh<L: Lanes>(
         &self,
@@ -94,8 +95,8 @@ pub trait Interpolator: Copy + Send + Sync + 'static {
     }
 }
 
-/// Declares the family: the names of scene files (in kebab case), each with its parameters, and
-/// `with_interpolator!`, which runs a body with a name bound to the interpolator of a choice.
+/// Declares the family: the names of scene files (in kebab case), each with its parameters; and
+/// `with_interpolator!`, which runs a body with the chosen interpolator bound to a name.
 macro_rules! interpolators {
     ($d:tt $($(#[$doc:meta])* $name:ident in $file:ident;)+) => {
         $(pub use $file::$name;)+
@@ -148,8 +149,8 @@ interpolators! { $
     Dummy in dummy;
 }
 
-/// Bound on Σ|w_j| with which weights count as fit, by default: that of linear extrapolation by half
-/// a spacing, the farthest that a mirror point of a well-filled wall lies outside its water.
+/// Default bound on Σ|w_j| for usable weights. It is that of linear extrapolation by half a
+/// spacing, the farthest that a mirror point of a well-filled wall lies outside its water.
 pub const AMPLIFICATION_LIMIT: f64 = 2.0;
 
 impl InterpolatorChoice {
@@ -169,7 +170,7 @@ impl InterpolatorChoice {
         with_interpolator!(self, interpolator => told(interpolator))
     }
 
-    /// See [`Interpolator::weigh`]: for tests, which weigh a few points.
+    /// See [`Interpolator::weigh`]: for tests, which weigh only a few points.
     pub fn weigh<L: Lanes>(
         &self,
         stencil: &Stencil<'_, L>,

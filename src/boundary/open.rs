@@ -1,4 +1,4 @@
-//! How much of a kernel's support bed and walls leave open.
+//! The share of a kernel's support that bed and walls leave open.
 
 use super::ghosts::Ghosts;
 use super::plane::Plane;
@@ -10,11 +10,11 @@ use crate::kernel::KernelChoice;
 const DIRECTIONS: usize = 96;
 const RINGS: usize = 48;
 
-/// What is not solid around a bed that is not level, with its walls at rest.
+/// The open part around a bed that is not level, with its walls at rest.
 pub(super) struct Open<'a> {
     profile: &'a Profile,
     walls: Vec<Plane>,
-    /// Places of a disc around a point, metres, and their shares of the kernel.
+    /// Points of a disc, metres, and their shares of the kernel.
     disc: Vec<[f64; 3]>,
 }
 
@@ -25,12 +25,12 @@ impl<'a> Open<'a> {
         Open::within(rules, profile, ghosts, walls)
     }
 
-    /// The same over a bed before an endless wall, whether or not it ends in a crest.
+    /// The same for an endless wall, even if the wall has a crest.
     pub(super) fn of_endless(rules: &ExchangeRules, bed: &'a Profile, ghosts: &Ghosts) -> Open<'a> {
         Open::within(rules, bed, ghosts, Place::Right.number())
     }
 
-    /// Between the first so many walls.
+    /// With only this many walls.
     fn within(
         rules: &ExchangeRules,
         profile: &'a Profile,
@@ -56,7 +56,8 @@ fn disc(kernel: KernelChoice, radius: f64) -> Vec<[f64; 3]> {
     let ring = |k: usize| (k as f64 + 0.5) / RINGS as f64;
     let mass: f64 = (0..RINGS).map(|k| kernel.shape_at(ring(k)) * ring(k)).sum();
     let place = |k: usize, n: usize| {
-        // Turned by half a direction from ring to ring: a straight face cuts no spoke.
+        // Rings are turned by half a direction against each other, so that a straight face does not
+        // cut along a ray.
         let angle =
             std::f64::consts::TAU * (n as f64 + 0.5 * (k % 2) as f64 + 0.25) / DIRECTIONS as f64;
         let share = kernel.shape_at(ring(k)) * ring(k) / (mass * DIRECTIONS as f64);

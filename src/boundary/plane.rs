@@ -3,13 +3,13 @@
 /// A straight wall: everything beyond it is solid.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Plane {
-    /// A point on its face, at the bed where it rises from it.
+    /// A point on its face; at the bed, if it rises from the bed.
     pub point: [f64; 2],
     /// Unit normal out of the water.
     pub normal: [f64; 2],
 }
 
-/// Out of every reach, metres.
+/// A distance out of reach of everything, metres.
 const NOWHERE: f64 = 1e9;
 
 impl Plane {
@@ -29,7 +29,7 @@ impl Plane {
         Plane { point: [self.point[0] + offset, self.point[1]], ..*self }
     }
 
-    /// The point at `depth` in front of the face, at the foot of a place.
+    /// The point at `depth` in front of the face, beside a place.
     #[inline(always)]
     pub fn in_front(&self, [x, y]: [f64; 2], depth: f64) -> [f64; 2] {
         let [nx, ny] = self.normal;
@@ -37,7 +37,7 @@ impl Plane {
         [self.point[0] - ny * along - depth * nx, self.point[1] + nx * along - depth * ny]
     }
 
-    /// A vector with its part across the wall changed by `across`.
+    /// A vector with its component across the wall changed by `across`.
     #[inline(always)]
     pub fn with_across(&self, [x, y]: [f64; 2], across: impl Fn(f64) -> f64) -> [f64; 2] {
         let [nx, ny] = self.normal;

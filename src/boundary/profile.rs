@@ -1,4 +1,4 @@
-//! A bed that is not level: a line of straight stretches under the water.
+//! A bed that is not level: a line of straight stretches.
 
 mod nearest;
 mod still_water;
@@ -8,11 +8,11 @@ use serde::{Deserialize, Deserializer, Serialize, de};
 
 pub use stretch::{STEEP, Stretch, WALL, ends_low, turn};
 
-/// Stretches shorter than this, metres, are no stretches.
+/// Shorter stretches, metres, are not allowed.
 const SHORTEST: f64 = 1e-9;
 
-/// Points of a bed, metres, from the paddle to the wall: x never goes back, and two points above one
-/// another make a step. Left of its first point and right of its last one it goes on level.
+/// Points of a bed, metres, from the paddle to the wall. x never decreases, and two points at the
+/// same x make a step. Before its first point and behind its last one the bed is level.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(transparent)]
 pub struct Profile(Vec<[f64; 2]>);
@@ -61,18 +61,19 @@ impl Profile {
         self.0[self.0.len() - 1]
     }
 
-    /// Up to where it is level from the paddle on, metres.
+    /// Where it stops being level, from the paddle on, metres.
     pub fn level_up_to(&self) -> f64 {
         let first = self.0.iter().position(|point| point[1] != 0.0);
         first.map_or(self.end()[0], |first| self.0[first - 1][0])
     }
 
-    /// Whether all of it is.
+    /// Whether all of it is level.
     pub fn is_level(&self) -> bool {
         self.level_up_to() >= self.end()[0]
     }
 
-    /// The same bed, so many metres longer before the paddle, and behind the wall where it ends level.
+    /// The same bed, extended by these lengths: before the paddle, and behind the wall if it ends
+    /// level there; metres.
     pub(super) fn gone_on(&self, [before, behind]: [f64; 2]) -> Profile {
         let mut points = self.0.clone();
         points[0][0] -= before;
@@ -94,7 +95,7 @@ impl Profile {
         self.0[self.0.len() - 2][0] == self.end()[0]
     }
 
-    /// Where it goes up and down, or down and up, at one and the same x, metres.
+    /// Where it goes up and down, or down and up, at the same x, metres.
     pub fn plate(&self) -> Option<f64> {
         let turns = |of: &&[[f64; 2]]| {
             of[0][0] == of[2][0] && (of[1][1] - of[0][1]) * (of[2][1] - of[1][1]) < 0.0
@@ -134,15 +135,15 @@ impl Profile {
         between.fold(ends, |highest, point| highest.max(point[1]))
     }
 
-    /// Whether one of these places, neighbours in the water, may be so near to it, metres, or below it. One look
-    /// at the bed serves all.
+    /// Whether one of these places, neighbours in the water, may be nearer to it than `near`,
+    /// metres, or below it. One look at the bed serves all of them.
     pub fn may_be_within(&self, [x, y]: [&[f64]; 2], near: f64) -> bool {
         let least = |row: &[f64]| row.iter().copied().fold(f64::INFINITY, f64::min);
         let most = x.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         least(y) - near <= self.highest_between(least(x) - near, most + near)
     }
 
-    /// Area between it and a level above it, m²; dry stretches count for nothing.
+    /// Area between it and a level above it, m². Dry stretches do not count.
     pub fn area_below(&self, level: f64) -> f64 {
         let stretch = |pair: &[[f64; 2]]| {
             let [[x0, y0], [x1, y1]] = [pair[0], pair[1]];

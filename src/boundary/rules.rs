@@ -1,4 +1,4 @@
-//! What ghosts obey, and the targets that follow from it.
+//! Rules for ghosts, and the targets that follow from them.
 
 use std::ops::Range;
 
@@ -23,7 +23,7 @@ pub enum GhostGravity {
     AtMirror,
 }
 
-/// What the ghosts of a scene obey.
+/// Rules for the ghosts of a scheme.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ExchangeRules {
     /// Kernel of the scheme.
@@ -40,19 +40,19 @@ pub struct ExchangeRules {
     pub surface_density: f64,
     /// Sound speed, m/s.
     pub sound_speed: f64,
-    /// What a ghost's pressure takes of gravity.
+    /// How gravity enters a ghost's pressure.
     pub ghost_gravity: GhostGravity,
-    /// Reverse the tangential velocity, too, for the viscous terms.
+    /// Whether the tangential velocity is reversed too, for the viscous terms.
     pub no_slip: bool,
-    /// Body 0 only counts between the bodies 1 and 2: the bed of a tank with moving ends.
+    /// Whether body 0 only counts between the bodies 1 and 2: the bed of a tank with moving ends.
     pub bed_between_walls: bool,
-    /// The bed gives back to the water what work it does on it: see `giving.rs`.
+    /// Whether the bed gives its work on the water back to it: see `giving.rs`.
     pub conservative_bed: bool,
-    /// So does a wall that ends in a crest, with what is behind it.
+    /// The same for a wall with a crest, and what is behind it.
     pub conservative_crest: bool,
 }
 
-/// The targets of a part, its list and its blocks, among some blocks.
+/// The targets of a part that are among some blocks.
 pub(super) fn targets<'a>(
     rules: &ExchangeRules,
     (list, own): (&'a PairList, &Range<usize>),

@@ -20,10 +20,10 @@ pub enum SfdiMatrix {
 /// 2019, Eqs. 10-13; Ma 2008), with
 /// B_j = R0ᵀ N⁻¹ Δ_j w(|Δ_j|)/Δ_j², Δ_j = r_j - r_i, R0 = Σ w_j (r_j - r)/Σ w_j.
 ///
-/// Eq. 12 is printed with r_i - r_i in a denominator and an undefined n; N is taken in full by
-/// default, the paper keeps its diagonal. Where N is singular, or Σ|w_j| exceeds
-/// `amplification_limit`, B is dropped, which leaves the normalized interpolation without its V_j,
-/// and the ghost counts as a fallback.
+/// Eq. 12 is printed with r_i - r_i in a denominator and an undefined n. By default N is taken in
+/// full; the paper keeps its diagonal. If N is singular, or Σ|w_j| exceeds `amplification_limit`, B
+/// is dropped. What remains is the normalized interpolation without its V_j, and the ghost counts
+/// as a fallback.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Sfdi {
     /// Full N or the paper's.
@@ -37,7 +37,7 @@ const SINGULAR: f64 = 1e-9;
 /// Δ² over R² below which two particles are one.
 const COINCIDENT: f64 = 1e-12;
 
-/// Δ = r_j - r_i, and w(|Δ|)/Δ²: zero for the particle itself and where w_j is.
+/// Δ = r_j - r_i, and w(|Δ|)/Δ². The latter is zero for the particle itself and where w_j is zero.
 #[inline(always)]
 fn difference<L: Lanes>(
     stencil: &Stencil<'_, L>,
@@ -113,7 +113,8 @@ impl Interpolator for Sfdi {
             given += taken;
             totals.add(near - taken);
         }
-        // The nearest one's two parts are counted apart: Σ|w_j| is bounded from above.
+        // The nearest particle's two parts are counted separately, which gives an upper bound of
+        // Σ|w_j|.
         totals.add(given);
         let unfit = totals.unfit(self.amplification_limit, unsolved);
         let (bx, by) = (choose(unfit, zero, bx), choose(unfit, zero, by));

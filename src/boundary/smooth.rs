@@ -1,18 +1,22 @@
 //! A bed that gives back, at the edge of the water.
 //!
-//! A smooth face pushes along its normal alone. Yet where water ends, as at the edge of a tongue on a beach, a ghost
-//! pushes the water along the face (t) as well. The push is -p_g S_g:
+//! A smooth face pushes only along its normal. But at the edge of the water, as at the tip of a
+//! tongue on a beach, a ghost also pushes the water along the face (t). The push is -p_g S_g:
 //!
 //! ```text
 //! S_g = t t·V_g (Σ_i V_i L_g ∇W_ig + Σ_g' V_g' ∇W_g'g)
 //! ```
-//! And as the tongue runs up it covers ghosts ahead of it. That counts as water that runs into them, S_g·u per second. The
-//! tongue gives it back, which presses it. So a ghost takes velocities relative to ū, the mean of the water around its
-//! mirror point: it takes S_g·ū less. And that water gets back what the ghost pushes along the face, each particle
-//! w_k p_g S_g. Both do the same work, so no energy is made.
+//! As the tongue runs up, it covers ghosts ahead of it. This counts as a flow of water into them,
+//! S_g·u per second. The tongue gives it back, which raises its pressure. So two things are
+//! changed:
+//! - A ghost takes velocities relative to ū, the mean of the water around its mirror point. So it
+//!   takes S_g·ū less.
+//! - That water gets back the ghost's push along the face, w_k p_g S_g for each particle.
 //!
-//! The second sum is over other ghosts of the bed (L_g is one on beds that are not level). Where the bed bends, they stand
-//! where water is missing.
+//! Both do the same work, so no energy is made.
+//!
+//! The second sum is over other ghosts of the bed (L_g is one on beds that are not level). At bends
+//! of the bed they take the place of missing water.
 
 use std::marker::PhantomData;
 
@@ -29,24 +33,26 @@ use crate::with_kernel;
 /// Sums of V_j ∇W_gj around eight ghosts, along x and up, 1/m.
 type Around = [[f64; LANES]; 2];
 
-/// All is handed back where the water on the bed is no thicker than this, over the support radius R. Where it is as thick
-/// as R no ghost has the edge in reach, and nothing is.
+/// The whole push is handed back where the water on the bed is no thicker than this, over the
+/// support radius R. Where it is as thick as R, no ghost has the edge in reach and nothing is
+/// handed back.
 const THIN: f64 = 0.7;
 
-/// Cosine of the steepest slope whose ghosts hand back, 1:2. Water at rest on steeper shores does not need it.
+/// Cosine of the steepest slope whose ghosts hand back, 1:2. On steeper shores water at rest does
+/// not need it.
 const GENTLE: f64 = 0.894;
 
-/// How the bed's ghosts push along its face.
+/// The push of the bed's ghosts along its face.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Smooth {
-    /// Of the bed's own ghosts.
+    /// The sums over the bed's own ghosts.
     own: Vec<Around>,
     /// S_g, m.
     slants: Vec<[[f64; LANES]; 2]>,
 }
 
 impl Smooth {
-    /// Finds what the bed's own ghosts have to do with each other, once.
+    /// Finds the sums over the bed's own ghosts, once.
     pub fn prepare(&mut self, path: SimdPath, rules: &ExchangeRules, ghosts: &Ghosts) {
         let body = &ghosts.bodies[Place::Bed.number()];
         let range = body.ghosts.clone();
@@ -73,9 +79,10 @@ impl Smooth {
         self.slants = vec![Default::default(); self.own.len()];
     }
 
-    /// Finds S_g at a block, of V_g V_i L_g ∇W_ig of the water around each ghost along x and up, the ghosts' volumes, and
-    /// their pressures as heads in metres. It is zero before the shore and on steep slopes, and within two support radii of
-    /// walls (see `alongside.rs`). So it is where the water is thick: there it would be noise, under a high pressure.
+    /// Finds S_g at a block. Inputs are V_g V_i L_g ∇W_ig of the water around each ghost along x
+    /// and up, the ghosts' volumes, and their pressures as heads in metres. S_g is zero before the
+    /// shore, on steep slopes, and within two support radii of walls (see `alongside.rs`). It is
+    /// also zero where the water is thick: there it would be noise under a high pressure.
     pub fn find(
         &mut self,
         block: usize,
@@ -108,7 +115,7 @@ impl Smooth {
         !self.slants.is_empty()
     }
 
-    /// S_g·ū at a block, m²/s: how fast water covers the ghosts.
+    /// S_g·ū at a block, m²/s: the rate at which water covers the ghosts.
     #[inline(always)]
     pub fn covered<L: Lanes>(&self, block: usize, means: &Means) -> L {
         let [along, up] = self.slants::<L>(block);
@@ -123,7 +130,7 @@ impl Smooth {
     }
 }
 
-/// What ghosts have of each other; those that pad blocks have no volume.
+/// Sums over the ghosts around each ghost. Ghosts that pad blocks have no volume.
 struct Own<'a, K> {
     list: &'a PairList,
     x: &'a [f64],

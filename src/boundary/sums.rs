@@ -18,13 +18,13 @@ pub(super) struct Means {
     pub y: [f64; LANES],
     pub vx: [f64; LANES],
     pub vy: [f64; LANES],
-    /// Along x and up, m/s²; zero where ghosts do not ask for it.
+    /// Along x and up, m/s²; zero where ghosts do not need it.
     pub acceleration: [[f64; LANES]; 2],
     /// Of the kernel gradient's correction: xx, xy, yy.
     pub correction: [[f64; LANES]; 3],
 }
 
-/// What the exchange reads of the fluid.
+/// The data of the fluid that the exchange reads.
 #[derive(Debug, Clone, Copy)]
 pub struct Water<'a> {
     /// Places, velocities and weights, padding included.
@@ -37,7 +37,7 @@ pub struct Water<'a> {
     pub acceleration: [&'a [f64]; 2],
 }
 
-/// Some blocks of targets with what is around them.
+/// Some blocks of targets with their surroundings.
 #[derive(Clone)]
 pub(super) struct Targets<'a> {
     pub kernel: KernelChoice,
@@ -49,9 +49,9 @@ pub(super) struct Targets<'a> {
     /// The block that the list begins with.
     pub first: usize,
     pub blocks: Range<usize>,
-    /// The ghosts themselves rather than their mirror points.
+    /// Whether targets are the ghosts themselves, not their mirror points.
     pub at_ghost: bool,
-    /// The water's acceleration is asked for, too.
+    /// Whether the mean of the water's acceleration is also needed.
     pub falling: bool,
 }
 
@@ -125,7 +125,7 @@ impl<K: Kernel> Task for KernelWeights<'_, K> {
     }
 }
 
-/// Weights and means at targets; rows and what is held begin with the list.
+/// Weights and means at targets. Rows and held weights begin with the list.
 pub(super) struct Weigh<'a, I> {
     pub interpolator: I,
     pub targets: Targets<'a>,
@@ -164,7 +164,7 @@ impl<I: Interpolator> Task for Weigh<'_, I> {
     }
 }
 
-/// Σ W V of the water at face points; coverage begins with the first of the part.
+/// Σ W V of the water at face points. Coverage begins with the first point of the part.
 pub(super) struct Cover<'a, K> {
     pub targets: Targets<'a>,
     pub coverage: &'a mut [f64],
@@ -218,9 +218,10 @@ fn gather<L: Lanes, I: Interpolator>(
         for (&j, weight) in neighbours.iter().zip(weights) {
             let mut weight = L::load(weight);
             if !I::PEAKED {
-                // Corrections differ from row to row under the surface: that of the nearest water
-                // counts, not a mean over the support, which would push where the water's own does
-                // not. And only positive shares: it must stay between those of the water.
+                // Under the surface corrections differ from row to row. So that of the nearest
+                // water counts. A mean over the support would push where the water's own correction
+                // does not. Only positive shares count, so that the result stays between the
+                // water's corrections.
                 let share = weight.max(zero) * scale;
                 let square = share * share;
                 weight = square * square;

@@ -10,13 +10,13 @@ use super::plane::Plane;
 use super::profile::Profile;
 use super::wall::{held_in, wall};
 
-/// Ghosts of the bed (body 0), the left wall (1) and the right wall (2), the latter two with a
-/// face point for every row, upwards from the bed; and of what keeps water behind a crest (3).
+/// Ghosts of the bed (body 0), the left wall (1), the right wall (2), and of what keeps water
+/// behind a crest (3). The walls have a face point for every row, upwards from the bed.
 ///
-/// Every wall fills the normals of its face; the wedge between two walls' normals belongs to the
-/// upright one and moves with it: at a right angle it continues both lattices, at others it is
-/// filled ring by ring. The right wall's frame has its toe at x = `length` and the left one's at
-/// x = 0 when they are at rest. Along a `profile` the bed is that, and the right wall stands on its end.
+/// Every wall fills the normals of its face. The wedge between two walls' normals belongs to the
+/// upright one and moves with it. At a right angle it continues both lattices; at other angles it
+/// is filled ring by ring. At rest the right wall's toe is at x = `length` in its frame, and the
+/// left one's at x = 0. With a `profile` that is the bed, and the right wall stands on its end.
 pub fn tank_ghosts(layout: &TankLayout, profile: Option<&Profile>, strip_width: f64) -> Ghosts {
     let left = Plane { point: [0.0, 0.0], normal: [-1.0, 0.0] };
     let floor = Plane { point: [0.0, 0.0], normal: [0.0, -1.0] };
@@ -34,7 +34,7 @@ pub fn tank_ghosts(layout: &TankLayout, profile: Option<&Profile>, strip_width: 
     };
     let right = Plane { point: profile.end(), normal: upright };
     let last = profile.stretches().last().map_or(floor, |stretch| stretch.plane());
-    // In whole columns, so that they stay where the water's are.
+    // In whole columns, so that the columns stay where those of the water are.
     let before = (layout.bed_before_paddle / layout.spacing_x).round() * layout.spacing_x;
     let bed = profile.gone_on([before, layout.bed_beyond_wall]);
     let mut bodies =
@@ -47,7 +47,7 @@ pub fn tank_ghosts(layout: &TankLayout, profile: Option<&Profile>, strip_width: 
     Ghosts { profile, lagoon, shore, crest, ..Ghosts::new(&bodies, strip_width) }
 }
 
-/// The wall at the end of the tank, up to its crest where it has one.
+/// The wall at the end of the tank, up to its crest if it has one.
 fn right_wall(layout: &TankLayout, face: Plane, floor: Plane) -> BodySites {
     let endless = wall(layout, face, floor);
     match layout.crest {
@@ -56,21 +56,22 @@ fn right_wall(layout: &TankLayout, face: Plane, floor: Plane) -> BodySites {
     }
 }
 
-/// What keeps the water that has gone over the crest of a wall with this face, where anything does.
+/// Ghosts that keep the water behind the crest of a wall with this face, if any do.
 fn back_to_end(layout: &TankLayout, face: Plane) -> Option<BodySites> {
     let shape = layout.crest?;
     let floor = shape.floor?;
     Some(behind(shape, face.point[0] + shape.width, floor, layout))
 }
 
-/// A level bed from one wall to the other, and beyond as far as that may move.
+/// A level bed between the walls, and beyond as far as they may move.
 fn level_bed(layout: &TankLayout, right: Plane, floor: Plane) -> BodySites {
     let TankLayout { length, spacing_x, spacing_y, .. } = *layout;
     let layers_y = (layout.support_radius / spacing_y).ceil() as i64;
     let columns = ((length + layout.bed_beyond_wall) / spacing_x).round() as i64;
     let leaning = right.normal[1] != 0.0;
     let mut bed = Vec::new();
-    // Face points are numbered from the first column: where a bed may run dry no paddle gives way.
+    // Face points are numbered from the first column. Where a bed may run dry, no paddle moves
+    // back, so no column lies before it.
     let before = (layout.bed_before_paddle / spacing_x).round() as i64;
     for column in -before..columns {
         for layer in 0..layers_y {

@@ -1,31 +1,32 @@
-//! Whose ghosts fill which place behind a bed.
+//! Which stretch of a bed fills a place behind it with its ghosts.
 
 use super::profile::Stretch;
 
-/// Places that are looked at along a cell, and across it.
+/// Number of sample places along a cell, and across it.
 const LOOKS: u32 = 6;
 
-/// A share that is so much off is taken anew.
+/// A share that is wrong by more than this is replaced.
 const OFF: f64 = 0.25;
 
-/// Nearer by less than this is as near, metres.
+/// Distances that differ by less than this count as equal, metres.
 const AS_NEAR: f64 = 1e-9;
 
-/// Farther by so much is farther with all rounding, metres.
+/// Distances that differ by more than this differ despite rounding, metres.
 const CLEAR: f64 = 1e-6;
 
-/// The stretches of a bed. A place behind it belongs to the nearest one. Without that, stretches that are no neighbours
-/// fill the same place twice. It happens behind steps lower than the support radius, and ridges narrower than two of
-/// them. Still water of ten rows then moved at 50 to 80 mm/s after 10 s, over a step of a spacing or less.
+/// The stretches of a bed. A place behind the bed belongs to the nearest stretch. Otherwise
+/// stretches that are not neighbours fill the same place twice. This happens behind steps lower
+/// than the support radius, and behind ridges narrower than two radii. Still water of ten rows then
+/// moved at 50 to 80 mm/s after 10 s, over a step of a spacing or less.
 pub(super) struct Territory<'a> {
     stretches: &'a [Stretch],
-    /// The lowest and the highest corner of the upright rectangle around each.
+    /// The lowest and the highest corner of each stretch's bounding box.
     boxes: Vec<[[f64; 2]; 2]>,
     reach: f64,
 }
 
 impl Territory<'_> {
-    /// Ghosts reach so far behind their stretches, metres.
+    /// `reach` is how far ghosts reach behind their stretches, metres.
     pub(super) fn of(stretches: &[Stretch], reach: f64) -> Territory<'_> {
         let rectangle = |it: &Stretch| {
             let end = it.place(it.length, 0.0);
@@ -37,9 +38,10 @@ impl Territory<'_> {
         Territory { stretches, boxes: stretches.iter().map(rectangle).collect(), reach }
     }
 
-    /// How much of a cell is nearer to these stretches, the first and the last one's numbers, than to any other.
-    /// `usual` is what the lines that halve bends leave to it; it stays unless that is far off. `cell` gives places of
-    /// the cell, from -½ to ½ along and across it, and how far behind its stretches they lie, metres.
+    /// The share of a cell that is nearer to these stretches (from the first number to the last)
+    /// than to any other. `usual` is the share by the bisectors of bends; it is returned unless it
+    /// is far off. `cell` gives places of the cell, from -½ to ½ along and across it, and their
+    /// distances behind its stretches, metres.
     pub(super) fn share(
         &self,
         own: [usize; 2],
@@ -66,8 +68,8 @@ impl Territory<'_> {
         if (share - usual).abs() > OFF { share } else { usual }
     }
 
-    /// Numbers of the stretches that may be so near to a place, metres. Of thousands they are few, and from the paddle to
-    /// the wall no stretch goes back.
+    /// Numbers of the stretches that may be within `near` of a place, metres. Of thousands only few
+    /// are. From the paddle to the wall no stretch goes back, so they are found by bisection.
     fn within(&self, [x, y]: [f64; 2], near: f64) -> impl Iterator<Item = usize> + '_ {
         let first = self.boxes.partition_point(|[_, high]| high[0] < x - near);
         let last = self.boxes.partition_point(|[low, _]| low[0] <= x + near);
@@ -81,7 +83,7 @@ impl Territory<'_> {
     }
 }
 
-/// Between a place and a stretch, metres.
+/// Distance between a place and a stretch, metres.
 fn away(stretch: &Stretch, place: [f64; 2]) -> f64 {
     let foot = stretch.foot(place);
     (place[0] - foot[0]).hypot(place[1] - foot[1])
@@ -92,7 +94,7 @@ mod tests {
     use super::*;
     use crate::boundary::Profile;
 
-    /// The share as a look at every stretch from every place tells it.
+    /// The share from a search over every stretch at every place.
     fn plainly(
         of: &Territory<'_>,
         own: [usize; 2],
@@ -115,7 +117,7 @@ mod tests {
         if (share - usual).abs() > OFF { share } else { usual }
     }
 
-    /// The story: of a bed of 4,000 points every stretch was held against every cell of ghosts.
+    /// Of a bed of 4,000 points, every stretch was once compared with every cell of ghosts.
     #[test]
     fn a_share_is_that_of_a_look_at_all_stretches() {
         let mut points = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 0.1], [1.04, 0.1], [1.04, 0.0]];

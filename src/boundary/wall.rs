@@ -7,7 +7,7 @@ use super::ghosts::{BodySites, Reflection, Site};
 use super::layout::{TankLayout, at};
 use super::plane::Plane;
 
-/// Reflects a point at the walls that it lies behind until it is in front of all: in an acute
+/// Reflects a point at the walls that it lies behind, until it is in front of all. In an acute
 /// corner one reflection may lead behind the other wall.
 pub(super) fn held_in(mut point: [f64; 2], walls: &[Plane]) -> [f64; 2] {
     for _ in 0..8 {
@@ -67,11 +67,11 @@ fn corner_at_toe(layout: &TankLayout, face: Plane, floor: Plane) -> Corner {
 
 #[cfg(test)]
 thread_local! {
-    /// A planted fault: the row of ghosts behind the right wall, from 0, that tests leave out.
+    /// A fault for tests: the row of ghosts behind the right wall, from 0, that is left out.
     pub static MISSING_ROW: std::cell::Cell<Option<i64>> = const { std::cell::Cell::new(None) };
 }
 
-/// Whether a row of ghosts behind the right wall is left out: never but in tests.
+/// Whether a row of ghosts behind the right wall is left out, which only tests do.
 fn is_missing(_layer: i64) -> bool {
     #[cfg(test)]
     return MISSING_ROW.get() == Some(_layer);
@@ -79,7 +79,8 @@ fn is_missing(_layer: i64) -> bool {
     false
 }
 
-/// The part of a right-angled corner block that lies this far behind the wall: through the vertex.
+/// The column of a right-angled corner block at this distance behind the wall: mirrored through the
+/// vertex.
 fn block_column(layout: &TankLayout, face: Plane, distance: f64) -> impl Iterator<Item = Site> {
     let TankLayout { spacing_x, spacing_y, .. } = *layout;
     let layers = (layout.support_radius / spacing_y).ceil() as i64;

@@ -1,4 +1,4 @@
-//! How wet a face point is where a level surface meets a wall of any angle.
+//! Wetness of a face point where a level surface meets a wall of any angle.
 
 use std::f64::consts::PI;
 
@@ -15,8 +15,8 @@ pub(super) struct Waterline {
 }
 
 impl Waterline {
-    /// From 0.4 spacings below the contact to 0.4 spacings above it, along the face. `spacing` and
-    /// `support_radius` in metres.
+    /// Wet from 0.4 spacings below the contact and dry from 0.4 spacings above it, along the face.
+    /// `spacing` and `support_radius` are in metres.
     pub(super) fn of(
         kernel: KernelChoice,
         spacing: f64,
@@ -39,7 +39,7 @@ impl Waterline {
         }
     }
 
-    /// How much of a ghost counts behind a face point of this wetness.
+    /// The share of a ghost that counts behind a face point of this wetness.
     pub(super) fn wet_share(&self, wetness: f64) -> f64 {
         ((wetness - self.dry_at) / (self.wet_at - self.dry_at)).clamp(0.0, 1.0)
     }
@@ -52,8 +52,8 @@ pub(super) fn corner_angle(wall: Plane) -> f64 {
 }
 
 /// Share of the half disc around a point of a straight face that lies inside a wedge, weighted with
-/// the kernel. The wedge has the face as one side, its vertex at the distance `d` (in support radii)
-/// along the face, and opens by `angle` towards the point where d > 0.
+/// the kernel. The wedge has the face as one side. Its vertex lies at the distance `d` along the
+/// face, in support radii. It opens by `angle`, towards the point where d > 0.
 ///
 /// At a right angle it is [`KernelChoice::half_plane_fraction`].
 pub(super) fn wedge_fraction(kernel: KernelChoice, d: f64, angle: f64) -> f64 {
@@ -80,7 +80,7 @@ pub(super) fn wedge_fraction(kernel: KernelChoice, d: f64, angle: f64) -> f64 {
     // Rays from the point, θ measured from the direction of the vertex.
     let rays = (0..DIRECTIONS).map(|k| PI * (k as f64 + 0.5) / DIRECTIONS as f64);
     let reach = |theta: f64| {
-        // The other side is met where d sin(angle) = r sin(π - angle - θ).
+        // The other side is reached where d sin(angle) = r sin(π - angle - θ).
         let rate = libm::sin(PI - angle - theta);
         if theta < PI - angle { (d * libm::sin(angle) / rate).min(1.0) } else { 1.0 }
     };

@@ -1,4 +1,4 @@
-//! What interpolators share: the water around eight points, and the outcome of weighing it.
+//! What interpolators share: the water around eight points, and the result of weighing.
 
 use crate::kernel::{Kernel, KernelChoice, shape_within};
 use crate::math::simd::{LANES, Lanes};
@@ -25,12 +25,12 @@ pub struct Stencil<'a, L> {
 pub struct Weighing<L> {
     /// Makes each lane's weights sum to one; 0 where nothing is in reach.
     pub scale: L,
-    /// 1 where a simpler method had to stand in, else 0.
+    /// 1 where a simpler method had to be used, else 0.
     pub fallback: L,
 }
 
 impl<L: Lanes> Weighing<L> {
-    /// Of weights whose sum is positive, or zero where nothing is in reach.
+    /// For weights with a positive sum, or a sum of zero where nothing is in reach.
     #[inline(always)]
     pub(super) fn of_sum(sum: L, fallback: L) -> Weighing<L> {
         let tiny = L::splat(1e-200);
@@ -85,14 +85,14 @@ impl<L: Lanes> Totals<L> {
         self.magnitude += weight.max(L::splat(0.0) - weight);
     }
 
-    /// 1 where Σ|w_j| over Σ w_j exceeds `limit` (or the sum is not positive) or where `unsolved`
-    /// is above one half; else 0.
+    /// 1 where Σ|w_j| over Σ w_j exceeds `limit`, where the sum is not positive, or where
+    /// `unsolved` is above one half; else 0.
     #[inline(always)]
     pub fn unfit(&self, limit: f64, unsolved: L) -> L {
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
         let allowed = self.sum * L::splat(limit);
         let wild = allowed.select_less(self.magnitude, one, zero);
-        // What is not a number is not below anything.
+        // NaN is not below anything.
         let finite = self.magnitude.select_less(L::splat(f64::MAX), wild, one);
         L::splat(0.5).select_less(unsolved, one, finite)
     }

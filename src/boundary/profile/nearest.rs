@@ -3,11 +3,11 @@
 use super::{Profile, SHORTEST, Stretch};
 use crate::boundary::plane::Plane;
 
-/// What is farther than something else by so much is so with all rounding, metres.
+/// Distances that differ by more than this differ despite rounding, metres.
 const CLEAR: f64 = 1e-6;
 
 impl Profile {
-    /// The face of the bed nearest to a place in the water, where it is so near, metres.
+    /// The face of the bed nearest to a place in the water, if it is within `near`, metres.
     pub fn face_within(&self, place: [f64; 2], near: f64) -> Option<Plane> {
         let over = |x: f64| place[1] - self.height(x) > near;
         if over(place[0]) && over(place[0] - near) && over(place[0] + near) {
@@ -17,8 +17,8 @@ impl Profile {
         (behind > -near).then_some(face)
     }
 
-    /// The nearest place of the bed to one in or near the water: the face there, and how far behind it
-    /// the place lies, metres; negative in the water.
+    /// The nearest place of the bed to a place in or near the water. Returns the face there, and
+    /// how far behind it the place lies, metres; negative in the water.
     pub fn nearest(&self, place: [f64; 2]) -> (Plane, f64) {
         let mut best = (f64::INFINITY, self.0[0]);
         let see = |foot: [f64; 2], best: &mut (f64, [f64; 2])| {
@@ -30,7 +30,8 @@ impl Profile {
         let [first, last] = [self.0[0], self.end()];
         see([place[0].min(first[0]), first[1]], &mut best);
         see([place[0].max(last[0]), last[1]], &mut best);
-        // No farther than straight up or down: of thousands of stretches few are as near.
+        // It is no farther than straight up or down. Of thousands of stretches only few are as
+        // near.
         let straight = (place[1] - self.height(place[0])).abs();
         for pair in self.between(place[0] - straight - CLEAR, place[0] + straight + CLEAR) {
             let nearest = best.0.sqrt() + CLEAR;
@@ -59,7 +60,7 @@ impl Profile {
     }
 }
 
-/// Square of the distance between a place and the upright rectangle around a stretch, m².
+/// Square of the distance between a place and the bounding box of a stretch, m².
 fn gap_square(place: [f64; 2], [from, to]: [[f64; 2]; 2]) -> f64 {
     let gap = |axis: usize| {
         let [low, high] = [from[axis].min(to[axis]), from[axis].max(to[axis])];
@@ -72,7 +73,7 @@ fn gap_square(place: [f64; 2], [from, to]: [[f64; 2]; 2]) -> f64 {
 mod tests {
     use super::*;
 
-    /// What a look at all stretches tells, in their order.
+    /// The result of a search over all stretches, in their order.
     fn plainly(bed: &Profile, place: [f64; 2]) -> [f64; 2] {
         let [first, last] = [bed.points()[0], bed.end()];
         let ends = [[place[0].min(first[0]), first[1]], [place[0].max(last[0]), last[1]]];
@@ -87,7 +88,7 @@ mod tests {
         best.1
     }
 
-    /// The story: a bed of 4,000 points was looked at whole for every particle near it, at every step.
+    /// A bed of 4,000 points was once searched whole for every particle near it, at every step.
     #[test]
     fn the_nearest_place_is_that_of_all_stretches_to_the_bit() {
         let mut random = 7_u64;
@@ -110,7 +111,7 @@ mod tests {
                     let (face, _) = bed.nearest(place);
                     assert_eq!(face.point, plainly(&bed, place), "{count}: {place:?}");
                 }
-                // At its bends several stretches are as near.
+                // At the bends several stretches are equally near.
                 for &place in &points {
                     assert_eq!(bed.nearest(place).0.point, plainly(&bed, place));
                 }

@@ -2,12 +2,13 @@
 
 use crate::boundary::plane::Plane;
 
-/// Rise along a stretch from which on no tongue of water lies on it.
+/// Rise per length of a stretch above which no tongue of water lies on it.
 pub const STEEP: f64 = 0.7;
 
-/// Rise along a stretch from which on it is a wall, whose ghosts ask how wet they are. On anything flatter
-/// the thinnest sheet of water is borne by whole ghosts, and a dry ghost has no water in reach. If ghosts of slopes of
-/// 45 to 55 degrees asked, still water would be stirred until energy came from nowhere.
+/// Rise per length of a stretch above which it is a wall, whose ghosts ask how wet they are. On
+/// flatter stretches whole ghosts bear even the thinnest sheet of water, and a dry ghost has no
+/// water in reach. If ghosts of slopes of 45 to 55 degrees asked, they would stir still water and
+/// create energy.
 pub const WALL: f64 = 0.9;
 
 /// A straight stretch of a bed.
@@ -32,12 +33,12 @@ impl Stretch {
         [self.along[1], -self.along[0]]
     }
 
-    /// As a face that goes on and on.
+    /// As an endless face.
     pub fn plane(&self) -> Plane {
         Plane { point: self.from, normal: self.normal() }
     }
 
-    /// A place so far along it and so far behind its face, metres.
+    /// The place at this distance along it and behind its face, metres.
     pub fn place(&self, along: f64, behind: f64) -> [f64; 2] {
         let normal = self.normal();
         [0, 1].map(|axis| self.from[axis] + along * self.along[axis] + behind * normal[axis])
@@ -73,14 +74,14 @@ impl Stretch {
     }
 }
 
-/// Angle by which the bed bends upwards from one stretch to the next, radians.
+/// Angle of the bend from one stretch to the next, radians; positive upwards.
 pub fn turn(before: &Stretch, after: &Stretch) -> f64 {
     let ([ax, ay], [bx, by]) = (before.along, after.along);
     libm::atan2(ax * by - ay * bx, ax * bx + ay * by)
 }
 
-/// Whether a wall ends low at the bend from one stretch to the next; all in metres. It comes out of the still
-/// water there. The other stretch stands dry, less than a support radius above the water.
+/// Whether a wall ends low at the bend from one stretch to the next; all in metres. It rises out of
+/// the still water there. The other stretch is dry, less than a support radius above the water.
 pub fn ends_low(
     [before, after]: [&Stretch; 2],
     still_level: f64,

@@ -77,7 +77,8 @@ fn the_nearest_face_is_found_on_both_sides() {
     assert!((plane.normal[1] - slope.normal()[1]).abs() < 1e-9);
 }
 
-/// Shallow all the way to dry ground: water over a bar, and behind one, is not before a shore.
+/// The shore is shallow all the way to dry ground. Water over a bar, or behind one, is not part of
+/// it.
 #[test]
 fn a_shore_begins_where_water_is_shallow_up_to_dry_ground() {
     let bed = |points: &[[f64; 2]]| Profile::checked(points.to_vec()).unwrap();
@@ -91,7 +92,7 @@ fn a_shore_begins_where_water_is_shallow_up_to_dry_ground() {
     assert_eq!(bed(&[[0.0, 0.0], [1.0, 0.15]]).shore(0.2, 0.1), None);
 }
 
-/// Neighbours that are all too far away are passed by with one look, and no others are.
+/// Neighbours that are all too far away are skipped with one look, and no others are.
 #[test]
 fn a_look_at_neighbours_misses_no_face_within_reach() {
     let (bed, near) = (beach(), 0.15);
