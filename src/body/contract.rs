@@ -5,8 +5,8 @@
 pub struct BodyMotion {
     /// Displacement from rest at the start of the step, metres.
     pub offset: f64,
-    /// Velocity, m/s: displacement over the step divided by its length, so that ghosts move as
-    /// fast as their wall.
+    /// Velocity, m/s: displacement over the step divided by its length. So ghosts move as fast as
+    /// their wall.
     pub velocity: f64,
     /// Acceleration, m/s².
     pub acceleration: f64,
@@ -20,8 +20,8 @@ impl BodyMotion {
         self.acceleration += other.acceleration;
     }
 
-    /// This motion at a time of so many seconds, blended in over the first `ramp` seconds so that the
-    /// water is not kicked.
+    /// This motion at a time in seconds. It is blended in over the first `ramp` seconds, so that
+    /// the water gets no sudden push.
     pub(super) fn eased_in(self, time: f64, ramp: f64) -> BodyMotion {
         if time >= ramp {
             return self;
@@ -45,54 +45,55 @@ pub trait PaddleLaw {
     /// Its motion at a time since the start, seconds.
     fn motion(&self, time: f64) -> BodyMotion;
 
-    /// When it passes the middle of its stroke, seconds; none where it has no single stroke.
+    /// When it passes the middle of its stroke, seconds; none if it has no single stroke.
     fn stroke_centre(&self) -> Option<f64>;
 
-    /// Of the regular waves that it makes, seconds; none where it makes others.
+    /// Period of the regular waves that it makes, seconds; none for other waves.
     fn period(&self) -> Option<f64> {
         None
     }
 
-    /// How far it goes back past where it starts, metres. By default not at all.
+    /// How far it moves back beyond its start, metres. By default not at all.
     fn goes_back(&self) -> f64 {
         0.0
     }
 
-    /// How far it goes forth past where it starts, metres. By default to where it stands in the end.
+    /// How far it moves forward beyond its start, metres. By default to its final position.
     fn goes_forth(&self) -> f64 {
         self.motion(self.still_from()).offset
     }
 
-    /// From when on it stands, seconds; infinite where it never does.
+    /// Time from which it stands still, seconds; infinite if it never does.
     fn still_from(&self) -> f64;
 
-    /// The surface at its face over still water of this depth, metres, under this gravity, m/s², if no wave
-    /// comes back to it. By default that of a long wave: u = 2 (√(g(h+η)) - √(gh)).
+    /// The surface at its face above still water, metres, if no wave comes back to it. `depth` is
+    /// that of still water, metres; `gravity` is in m/s². By default the surface of a long wave: u
+    /// = 2 (√(g(h+η)) - √(gh)).
     fn raises(&self, time: f64, depth: f64, gravity: f64) -> f64 {
         let root = (gravity * depth).sqrt() + 0.5 * self.motion(time).velocity;
         root * root / gravity - depth
     }
 
-    /// After this time, seconds, a surface that stays higher than it raises counts as its own; none where a
-    /// wave that comes back may be as long.
+    /// A surface that stays higher than its own for this time, seconds, counts as its own. None
+    /// where a wave that comes back may last as long.
     fn forgets_after(&self) -> Option<f64> {
         None
     }
 
-    /// How fast it must move back, m/s, under a surface this much higher, metres, than it raises itself. By
-    /// default as a long wave's water does.
+    /// How fast it must move back, m/s, where the surface is this much higher than its own wave,
+    /// metres. By default as fast as the water of a long wave.
     fn gives_way(&self, excess: f64, depth: f64, gravity: f64) -> f64 {
         let deep = (depth + excess).max(0.0);
         2.0 * ((gravity * deep).sqrt() - (gravity * depth).sqrt())
     }
 }
 
-/// Where a wall is.
+/// Position and motion of a wall.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct WallState {
     /// Displacement X from rest, metres, positive away from the water.
     pub displacement: f64,
-    /// Velocity V, m/s; among kicks the mean over the step before.
+    /// Velocity V, m/s; with kicks the mean over the step before.
     pub velocity: f64,
     /// How often it came back onto its stop.
     pub stops: u32,
@@ -114,18 +115,18 @@ pub struct WallStep {
 /// How a wall is held, per metre of width.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Restraint {
-    /// A smaller force leaves it where it stands, N.
+    /// A smaller force does not move it, N.
     pub threshold: f64,
-    /// What force beyond that gives it an acceleration of 1 m/s², kg.
+    /// The force beyond the threshold that gives an acceleration of 1 m/s², kg.
     pub mass: f64,
-    /// What force beyond that moves it by a metre, N/m; zero where it goes on and on.
+    /// The force beyond the threshold that moves it by one metre, N/m; zero without a spring.
     pub stiffness: f64,
 }
 
-/// A wall that answers to the water's force. Forces are per metre of width, along x, hydrostatics
-/// included. Every answer is by default that of a wall that never moves.
+/// A wall that responds to the water's force. Forces are per metre of width, along x, hydrostatics
+/// included. By default every answer is that of a wall that never moves.
 pub trait WallLaw {
-    /// Where it is; none for a wall that never moves.
+    /// Its state; none for a wall that never moves.
     fn state(&self) -> Option<WallState> {
         None
     }
@@ -133,38 +134,38 @@ pub trait WallLaw {
     /// Whether this force, N, moves it from rest.
     fn lets_go(&self, force: f64) -> bool;
 
-    /// Whether it stands where only [`WallLaw::lets_go`] decides about what comes next.
+    /// Whether it is at rest, so that only [`WallLaw::lets_go`] decides whether it moves.
     fn rests(&self) -> bool {
         true
     }
 
-    /// Whether it has ever left its place.
+    /// Whether it has ever moved.
     fn has_moved(&self) -> bool {
         false
     }
 
-    /// Moves on by `dt` seconds under the force `force` - `added_mass` · a at the step's start.
+    /// Advances by `dt` seconds under the force `force` - `added_mass` · a at the step's start.
     fn kick(&mut self, _force: f64, _added_mass: f64, _dt: f64) -> WallStep {
         WallStep::default()
     }
 
-    /// Likewise under a force that is the mean over the step.
+    /// The same under a force that is the mean over the step.
     fn advance(&mut self, _force: f64, _added_mass: f64, _dt: f64) -> WallStep {
         WallStep::default()
     }
 
-    /// The part of a force, N, that drives the wall over a step of this travel, metres. What holds
-    /// the wall takes the rest.
+    /// The part of a force, N, that drives the wall over a step of this travel, metres. The rest is
+    /// borne by the parts that hold the wall.
     fn driving(&self, _force: f64, _travel: f64) -> f64 {
         0.0
     }
 
-    /// Of its motion, J per metre of width.
+    /// Kinetic energy, J per metre of width.
     fn kinetic_energy(&self) -> f64 {
         0.0
     }
 
-    /// Of what it is mounted on, J per metre of width.
+    /// Energy of its spring, J per metre of width.
     fn spring_energy(&self) -> f64 {
         0.0
     }

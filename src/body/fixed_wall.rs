@@ -4,18 +4,19 @@ use serde::{Deserialize, Serialize};
 
 use super::WallLaw;
 
-/// It stands for other walls, too, as long as these are held: a run can tell when they would move.
+/// It may represent other walls as long as these are held. A run can then tell when they would
+/// move.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct FixedWall {
-    /// The least and the largest force under which all of them stand, N per metre of width.
+    /// The least and the largest force at which none of them moves, N per metre of width.
     pub holds: [f64; 2],
 }
 
 impl FixedWall {
-    /// Stands for no other wall.
+    /// Represents no other wall.
     pub const ALONE: FixedWall = FixedWall { holds: [f64::NEG_INFINITY, f64::INFINITY] };
 
-    /// Stands for walls that a larger force moves, N per metre of width.
+    /// Represents walls that a larger force than this moves, N per metre of width.
     pub fn up_to(threshold: f64) -> FixedWall {
         FixedWall { holds: [f64::NEG_INFINITY, threshold] }
     }

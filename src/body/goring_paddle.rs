@@ -6,10 +6,10 @@ use super::{BodyMotion, PaddleLaw};
 
 /// Goring's law for a wave of height H on still water of depth h.
 ///
-/// ξ(t) = S/2 (1 + tanh θ), θ = κ [c (t - T/2) - (ξ - S/2)], with κ = √(3H/4h³), c = √(g(h+H)),
-/// S = √(16 H h/3), T = 2 (3.80 + H/h)/(κ c). Positions are relative to ξ(0); the law simply
-/// continues past T. Over the first `ramp` seconds the motion is blended in smoothly, so that the
-/// water is not kicked.
+/// ξ(t) = S/2 (1 + tanh θ), θ = κ [c (t - T/2) - (ξ - S/2)], with κ = √(3H/4h³), c = √(g(h+H)), S =
+/// √(16 H h/3), T = 2 (3.80 + H/h)/(κ c). Positions are relative to ξ(0). The law simply continues
+/// after T. The motion is blended in over the first `ramp` seconds, so that the water gets no
+/// sudden push.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GoringPaddle {
     wave_height_ratio: f64,
@@ -21,12 +21,13 @@ pub struct GoringPaddle {
 }
 
 thread_local! {
-    /// The paddle that was last asked on this thread how far it goes, and the answer.
+    /// The last paddle on this thread for which the reach was found, and the result.
     static LAST: Cell<Option<(GoringPaddle, f64)>> = const { Cell::new(None) };
 }
 
 impl GoringPaddle {
-    /// A piston for H/h > 0, depth in metres, gravity in m/s²; `ramp_fraction` of T is blended.
+    /// A piston for H/h > 0, depth in metres, gravity in m/s². The motion is blended in over
+    /// `ramp_fraction` of T.
     pub fn new(wave_height_ratio: f64, depth: f64, gravity: f64, ramp_fraction: f64) -> Self {
         let height = wave_height_ratio * depth;
         let wavenumber = (0.75 * height / (depth * depth * depth)).sqrt();
@@ -85,7 +86,7 @@ impl PaddleLaw for GoringPaddle {
         self.duration
     }
 
-    /// A study asks this of each of its cases several times, and most of them have the same wave.
+    /// Cached: a study asks each case for this several times, and most cases have the same wave.
     fn goes_forth(&self) -> f64 {
         LAST.with(|last| match last.get() {
             Some((paddle, forth)) if paddle == *self => forth,

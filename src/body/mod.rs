@@ -1,8 +1,8 @@
-//! Walls and paddles: each turns time or the water's force into motion, and knows nothing of
+//! Walls and paddles. Each turns time or the water's force into motion, without any data of
 //! particles. [`WallLaw`] and [`PaddleLaw`] say what a run asks of them.
 //!
-//! A new member is one file here with its keys, and a line of [`Wall`] or [`Paddle`]; the scene of the
-//! seawall names both.
+//! A new member needs one file here with its keys, and a line of [`Wall`] or [`Paddle`]. The scene
+//! of the seawall names both.
 
 mod contract;
 mod fixed_wall;
@@ -26,7 +26,7 @@ pub use sliding_caisson::{CaissonKeys, SlidingCaisson};
 pub use spring_wall::SpringWall;
 pub use wave_train::{SecondStroke, WaveTrain, WaveTrainKeys};
 
-/// Declares a family: a variant for each member, which answers by its law.
+/// Declares a family: a variant for each member, which derefs to its law.
 macro_rules! family {
     ($(#[$about:meta])* $name:ident: $law:ident; $($(#[$doc:meta])* $variant:ident($member:ty);)+) => {
         $(#[$about])*

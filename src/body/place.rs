@@ -1,13 +1,13 @@
-//! Where bodies stand in a scene, and what all of them do at an instant.
+//! The places of bodies in a scene, and the motions of all bodies.
 
 use std::ops::{Deref, Index, IndexMut};
 
 use super::BodyMotion;
 
-/// A scene has at most so many bodies.
+/// The largest number of bodies of a scene.
 pub const MOST_BODIES: usize = 4;
 
-/// Where a body stands. Its ghosts have this number.
+/// The place of a body. It gives the number of its ghosts' group.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Place {
     /// Under the water.
@@ -23,7 +23,7 @@ pub enum Place {
 }
 
 impl Place {
-    /// Its number among a scene's bodies. No scene has both a lid and what lies behind a wall.
+    /// Its number among a scene's bodies. No scene has both a lid and ground behind a wall.
     pub const fn number(self) -> usize {
         match self {
             Place::Behind => Place::Lid.number(),
@@ -40,7 +40,7 @@ pub struct Motions {
 }
 
 impl Motions {
-    /// Of so many bodies at rest.
+    /// This many bodies at rest.
     pub fn at_rest(count: usize) -> Motions {
         Motions { all: [BodyMotion::default(); MOST_BODIES], count }
     }

@@ -19,13 +19,13 @@ section! {
     }
 }
 
-/// A hole in a record: how many times the usual distance in time its points are apart.
+/// A gap in a record is this many times the median distance in time of its points ...
 const HOLE: f64 = 5.0;
-/// Across it the stroke goes by more than this share of its reach.
+/// ... and the stroke moves across it by more than this share of its reach.
 const UNSEEN: f64 = 0.02;
 
-/// Times, s, and positions, m, read from a CSV file. In a case they stand for the file, so that its
-/// contents are part of the case's identity, and no other process needs it.
+/// Times, s, and positions, m, read from a CSV file. In a case they replace the file's name. So the
+/// contents are part of the case's identity, and no other process needs the file.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(transparent)]
 pub struct Stroke(Shared<Played>);
@@ -39,7 +39,7 @@ struct Played {
     range: [f64; 2],
 }
 
-/// As a scene file gives it, and as a case has it.
+/// As in a scene file, or as in a case.
 #[derive(Deserialize)]
 #[serde(untagged, expecting = "must be the path of a CSV file")]
 enum Given {
@@ -70,7 +70,7 @@ impl Stroke {
         rows(path).ok()?.next()?.ok().map(|([time, _], _)| time)
     }
 
-    /// `lines`: where each point stands in its file; none where they are of no file.
+    /// `lines` has the line of each point in its file; empty if the points come from no file.
     fn checked(points: Vec<[f64; 2]>, lines: &[u64]) -> Result<Stroke, String> {
         if points.len() < 3 {
             return Err("must have three points or more".to_owned());
@@ -110,7 +110,7 @@ impl Stroke {
         forth.max(-back)
     }
 
-    /// How much farther the spline goes than the points do, back or forth, metres.
+    /// How much farther than the points the spline goes, back or forth, metres.
     pub fn overshoot(&self) -> f64 {
         let Played { points, range } = &*self.0;
         let start = points[0][1];
@@ -118,7 +118,8 @@ impl Stroke {
         (range[1] - forth).max(back - range[0])
     }
 
-    /// The two points beside the widest hole that the stroke moves across, and the median distance in time of its points, s.
+    /// The two points beside the widest gap across which the stroke moves, and the median distance
+    /// in time of its points, s.
     pub fn hole(&self) -> Option<([[f64; 2]; 2], f64)> {
         let pairs = self.0.points.windows(2).map(|pair| [pair[0], pair[1]]);
         let wide = |[before, after]: &[[f64; 2]; 2]| after[0] - before[0];
@@ -130,14 +131,15 @@ impl Stroke {
     }
 }
 
-/// A cubic spline through the points of a stroke, at rest at both ends, relative to the first. It
-/// stays where the last point is.
+/// A cubic spline through the points of a stroke, relative to the first point, at rest at both
+/// ends. After that it stays at the last point.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RecordedStroke {
     points: Vec<[f64; 2]>,
     /// Velocity at each point, m/s.
     velocities: Vec<f64>,
-    /// How far it goes back, zero or less, and forth, metres: between points it may go farther than they do.
+    /// How far it goes back (zero or less) and forth, metres. Between points it may go farther than
+    /// they do.
     range: [f64; 2],
 }
 
@@ -155,7 +157,8 @@ impl RecordedStroke {
     fn through(points: &[[f64; 2]]) -> RecordedStroke {
         let start = points[0][1];
         let points: Vec<_> = points.iter().map(|&[time, at]| [time, at - start]).collect();
-        // No jump of acceleration: h₊ v₋ + 2 (h₋ + h₊) v + h₋ v₊ = 3 (h₊ s₋ + h₋ s₊), s the slopes.
+        // Continuous acceleration: h₊ v₋ + 2 (h₋ + h₊) v + h₋ v₊ = 3 (h₊ s₋ + h₋ s₊), with the
+        // slopes s.
         let (mut velocities, mut above) = (vec![0.0; points.len()], vec![0.0; points.len()]);
         for k in 1..points.len() - 1 {
             let [before, here, after] = [points[k - 1], points[k], points[k + 1]];
@@ -175,7 +178,8 @@ impl RecordedStroke {
         spline
     }
 
-    /// The stretch that begins at a point: its span, s, and v0, b and c of x0 + span (v0 u + b u² + c u³).
+    /// The stretch that begins at a point: its span, s, and v0, b, c of x0 + span (v0 u + b u² + c
+    /// u³).
     fn stretch(&self, k: usize) -> (f64, [f64; 3]) {
         let ([t0, x0], [t1, x1]) = (self.points[k], self.points[k + 1]);
         let (span, [v0, v1]) = (t1 - t0, [self.velocities[k], self.velocities[k + 1]]);
@@ -183,13 +187,13 @@ impl RecordedStroke {
         (span, [v0, 3.0 * slope - 2.0 * v0 - v1, v0 + v1 - 2.0 * slope])
     }
 
-    /// Where the paddle turns within a stretch, v0 + 2 b u + 3 c u² = 0, metres.
+    /// The positions at which the paddle turns within a stretch, v0 + 2 b u + 3 c u² = 0, metres.
     fn turns(&self, k: usize) -> impl Iterator<Item = f64> + use<> {
         let (span, [v0, b, c]) = self.stretch(k);
         let x0 = self.points[k][1];
         let root = (b * b - 3.0 * c * v0).sqrt();
         let q = -(b + root.copysign(b));
-        // Not a number, or beyond its ends, where it does not turn.
+        // NaN, or outside the stretch, if it does not turn.
         let within = [q / (3.0 * c), v0 / q].into_iter().filter(|u| (0.0..1.0).contains(u));
         within.map(move |u| x0 + span * u * (v0 + u * (b + u * c)))
     }

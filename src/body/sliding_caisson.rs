@@ -24,8 +24,8 @@ impl CaissonKeys {
         self.static_friction * self.submerged_weight_n_per_m
     }
 
-    /// The caisson at rest: mass, kg; force of still water, N; per metre of width. Without a mass it is
-    /// held, from both sides.
+    /// The caisson at rest: mass, kg; force of still water, N; per metre of width. Without a mass
+    /// it is held in both directions.
     pub fn wall(&self, mass: Option<f64>, still_force: f64) -> Wall {
         let holding = self.holding_friction();
         let Some(mass) = mass else {
@@ -37,7 +37,7 @@ impl CaissonKeys {
         Wall::Caisson(SlidingCaisson::at_rest(mass, still_force, friction))
     }
 
-    /// Any friction that holds as well, and nothing left of what it does once it slides.
+    /// The same holding friction, without the data of sliding.
     pub fn held(&self) -> CaissonKeys {
         CaissonKeys {
             static_friction: 1.0,
@@ -46,7 +46,7 @@ impl CaissonKeys {
         }
     }
 
-    /// Checks what no key can tell alone.
+    /// Checks keys against each other.
     ///
     /// # Errors
     /// More friction once it slides than before.
@@ -56,12 +56,12 @@ impl CaissonKeys {
     }
 }
 
-/// m a = F - F_0 - μ_k N sign(V), and no motion as long as |F - F_0| ≤ μ_s N.
+/// m a = F - F_0 - μ_k N sign(V); no motion as long as it stands and |F - F_0| ≤ μ_s N.
 ///
 /// F is the full force of the water per metre of width, hydrostatics included. F_0 is the force of
-/// still water, ½ρgh²: the same water stands behind the caisson. N is its submerged weight. It
-/// sticks where its velocity passes zero and the excess force is too small to move it. The water's
-/// reaction to its own acceleration, F = `force` - A a, is solved together with a.
+/// still water, ½ρgh², because the same water stands behind the caisson. N is its submerged weight.
+/// It stops where its velocity passes zero and the excess force is too small to move it. The
+/// water's reaction to its acceleration, F = `force` - A a, is solved together with a.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct SlidingCaisson {
     /// m, kg per metre of width.
@@ -72,9 +72,9 @@ pub struct SlidingCaisson {
     pub holding_friction: f64,
     /// μ_k N, N per metre of width.
     pub sliding_friction: f64,
-    /// X, metres; to either side.
+    /// X, metres; in either direction.
     pub displacement: f64,
-    /// V, m/s; among kicks the mean over the step before.
+    /// V, m/s; with kicks the mean over the step before.
     pub velocity: f64,
 }
 
@@ -91,7 +91,7 @@ impl SlidingCaisson {
         }
     }
 
-    /// Slides exactly for `dt` seconds under a constant force. Returns travel, metres, and the new
+    /// Exact sliding for `dt` seconds under a constant force. Returns travel, metres, and the new
     /// velocity, m/s.
     fn slide(&self, force: f64, added_mass: f64, dt: f64) -> [f64; 2] {
         let (excess, inertia) = (force - self.still_force, self.mass + added_mass);
@@ -150,7 +150,7 @@ impl WallLaw for SlidingCaisson {
         self.take(travel, velocity, dt)
     }
 
-    /// Friction and the water behind it take the rest.
+    /// Friction and the water behind bear the rest.
     fn driving(&self, force: f64, travel: f64) -> f64 {
         force - self.still_force - self.sliding_friction * travel.signum()
     }

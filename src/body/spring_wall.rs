@@ -10,10 +10,10 @@ use super::{Restraint, WallLaw, WallState, WallStep};
 /// m a = s · max(F - F_th, 0) - k X, with X ≥ 0.
 ///
 /// One continuous law in place of the papers' two branches. F is the full force of the water per
-/// metre of width, hydrostatics included; s is 1 in the law as printed. At the stop X = 0 and the
-/// velocity is zero too (a perfectly inelastic stop). The water's reaction to the wall's own
-/// acceleration, F = F0 - A a, is solved together with a, so that a wall lighter than the water
-/// it moves stays stable.
+/// metre of width, hydrostatics included. s is 1 in the law as printed. At the stop X = 0 and the
+/// velocity is zero too (a perfectly inelastic stop). The water's reaction to the wall's
+/// acceleration, F = F0 - A a, is solved together with a. So a wall stays stable even if it is
+/// lighter than the water it moves.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct SpringWall {
     /// m, kg per metre of width.
@@ -26,7 +26,7 @@ pub struct SpringWall {
     pub force_coupling: f64,
     /// X, metres.
     pub displacement: f64,
-    /// V, m/s; among kicks the mean over the step before.
+    /// V, m/s; with kicks the mean over the step before.
     pub velocity: f64,
     /// How often the wall came back onto its stop.
     pub stops: u32,
@@ -46,7 +46,7 @@ impl SpringWall {
         }
     }
 
-    /// Comes onto the stop with this speed, m/s, and loses this energy there, J per metre of width.
+    /// Comes onto the stop at this speed, m/s, and loses this energy there, J per metre of width.
     fn stop(&mut self, loss: f64, stop_speed: f64) -> WallStep {
         let travel = -self.displacement;
         self.displacement = 0.0;
@@ -115,7 +115,7 @@ mod tests {
         assert!((wall.mass * step.acceleration - (felt - 200.0)).abs() < 1e-12);
     }
 
-    /// The law of water that is kicked, and that of water which is advanced.
+    /// The law for water that is kicked, and the law for water that is advanced.
     type Law = fn(&mut SpringWall, f64, f64, f64) -> WallStep;
     const LAWS: [Law; 2] = [SpringWall::kick, SpringWall::advance];
 

@@ -28,16 +28,17 @@ section! {
     }
 }
 
-/// Modes of the water near the paddle that are summed: they fall off with their square.
+/// Number of evanescent modes near the paddle that are summed: they decrease with the square of
+/// their number.
 const MODES: u32 = 20;
 
-/// Periods after which a level that has sunk or risen counts as that of still water.
+/// Periods after which a level that has fallen or risen counts as that of still water.
 const FORGETS: f64 = 8.0;
 
 /// ξ(t) = S/2 sin ωt + S₂ sin 2ωt + C₂ cos 2ωt. Biésel's stroke is S = H/m, m = 2 (cosh 2kh - 1)/(sinh 2kh + 2kh).
 ///
-/// The rest keeps the free second harmonic away: that of [`Piston`], or Madsen's
-/// S₂ = H²/(32 h) (3 cosh kh/sinh³ kh - 2/m), C₂ = 0. ω² = g k tanh kh. The motion is blended in over the first
+/// The other terms suppress the free second harmonic: those of [`Piston`], or Madsen's S₂ = H²/(32
+/// h) (3 cosh kh/sinh³ kh - 2/m), C₂ = 0. ω² = g k tanh kh. The motion is blended in over the first
 /// period.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WaveTrain {
@@ -45,8 +46,8 @@ pub struct WaveTrain {
     wavenumber: f64,
     /// Half the first stroke, S₂ and C₂, metres.
     stroke: [f64; 3],
-    /// Of the surface at the paddle: of the wave that leaves, of cos 2ωt, of what stays near the paddle, of
-    /// sin 2ωt; metres.
+    /// Amplitudes of the surface at the paddle, metres: of the wave that leaves, of cos 2ωt, of the
+    /// evanescent modes, of sin 2ωt.
     surface: [f64; 4],
 }
 
@@ -88,21 +89,21 @@ impl WaveTrain {
         std::f64::consts::TAU / self.wavenumber
     }
 
-    /// Height over length of waves of H/h on water of this depth, metres, and from where on they break:
-    /// 0.142 tanh kh (Miche 1944).
+    /// Height over length of waves of H/h on water of this depth, metres, and the value at which
+    /// they break: 0.142 tanh kh (Miche 1944).
     pub fn steepness(&self, wave_height_ratio: f64, depth: f64) -> [f64; 2] {
         [wave_height_ratio * depth / self.length(), 0.142 * libm::tanh(self.wavenumber * depth)]
     }
 
-    /// Whether second order is enough: H L²/h³ < 8π²/3. Longer waves have a second crest in their
-    /// trough that the sea has not.
+    /// Whether second order is enough: H L²/h³ < 8π²/3. Longer waves would have a second crest in
+    /// their trough, which real ones do not have.
     pub fn is_fit(&self, wave_height_ratio: f64, depth: f64) -> bool {
         1.5 * wave_height_ratio < (self.wavenumber * depth).powi(2)
     }
 }
 
-/// What a piston raises at its face and that does not travel, over its amplitude: Σ 4 sin² κ/(sin 2κ + 2κ) over
-/// the roots of ω² h/g = -κ tan κ (Dean & Dalrymple 1991, chapter 6).
+/// The evanescent surface at a piston's face, over the piston's amplitude: Σ 4 sin² κ/(sin 2κ + 2κ)
+/// over the roots of ω² h/g = -κ tan κ (Dean & Dalrymple 1991, chapter 6).
 fn near_field(deep: f64) -> f64 {
     let mode = |number: u32| {
         let root = fading(deep, number);
@@ -152,7 +153,7 @@ impl PaddleLaw for WaveTrain {
         f64::INFINITY
     }
 
-    /// The first two orders of the surface, eased in with the motion.
+    /// The first two orders of the surface, blended in with the motion.
     fn raises(&self, time: f64, _depth: f64, _gravity: f64) -> f64 {
         let phase = self.frequency * time;
         let [wave, bound, near, askew] = self.surface;
@@ -167,7 +168,7 @@ impl PaddleLaw for WaveTrain {
         Some(FORGETS * std::f64::consts::TAU / self.frequency)
     }
 
-    /// As a piston that makes a wave of this height and period: ω S/H.
+    /// ω S/H: as a piston that makes a wave of this height and period.
     fn gives_way(&self, excess: f64, _depth: f64, _gravity: f64) -> f64 {
         excess * self.frequency * self.stroke[0] / self.surface[0]
     }

@@ -7,7 +7,7 @@ fn smooth(time: f64) -> f64 {
 
 #[test]
 fn it_goes_through_its_points_smoothly_and_stays_at_the_last() {
-    // Uneven times, from rest to rest: half a period of a cosine.
+    // Uneven times, and rest at both ends: half a period of a cosine.
     let times: Vec<_> = (0..=20).map(|k| f64::from(k) / 20.0).collect();
     let times = times.iter().map(|s| std::f64::consts::PI * s * (0.7 + 0.3 * s));
     let points: Vec<_> = times.map(|time| [time, 5.0 + smooth(time)]).collect();
@@ -32,7 +32,8 @@ fn it_goes_through_its_points_smoothly_and_stays_at_the_last() {
     assert_eq!(paddle.still_from(), end);
 }
 
-/// The story: three points and a step drew the paddle back by more than the stroke, to where there was no bed.
+/// Three points with a step once drew the paddle back by more than the stroke, to where there was
+/// no bed.
 #[test]
 fn what_the_spline_does_between_its_points_counts() {
     let points = vec![[0.0, 0.0], [1.0, 0.0], [1.1, 0.15], [3.0, 0.15]];
@@ -53,7 +54,8 @@ fn what_the_spline_does_between_its_points_counts() {
     assert!(even.overshoot() < 1e-12 && (even.reach() - 0.2).abs() < 1e-12);
 }
 
-/// The story: half a second of a measured stroke was lost, and the spline through the rest was taken without a word.
+/// Half a second of a measured stroke was missing, and the spline through the rest was once
+/// accepted silently.
 #[test]
 fn a_hole_that_the_stroke_moves_across_is_found() {
     let points = |without: std::ops::Range<usize>| {

@@ -18,7 +18,7 @@ fn it_stands_within_its_threshold_on_either_side() {
     assert_eq!(caisson().kick(140.0, 1.0, 0.1).acceleration, -10.0);
 }
 
-/// 60 over F_0 for 1 s, then 40 for 1 s, then nothing, then 80 below it for 0.5 s, then nothing.
+/// The excess over F_0 is 60 for 1 s, 40 for 1 s, zero, -80 for 0.5 s, and zero.
 #[test]
 fn pieces_of_constant_force_give_the_exact_slide() {
     let mut caisson = caisson();
@@ -55,7 +55,8 @@ fn it_turns_within_a_step_where_the_force_throws_it_back() {
     assert!((step.travel - 1.0 / 120.0 + 15.0 * left * left).abs() < 1e-12);
 }
 
-/// Under F_0 + 120 sin ωt, which lets go at ωt_1 = asin(50/120), and after half a period F_0.
+/// The force is F_0 + 120 sin ωt for half a period, then F_0. The caisson starts at ωt_1 =
+/// asin(50/120).
 fn end_of_half_sine(steps: u32, law: fn(&mut SlidingCaisson, f64, f64) -> WallStep) -> f64 {
     let (mut caisson, dt) = (caisson(), 0.5 / f64::from(steps));
     for step in 0..12 * steps {

@@ -1,15 +1,15 @@
-//! The wall's step under a force that is the mean over it.
+//! The wall's step under a force that is the mean over the step.
 
 use super::{SpringWall, WallStep};
 use crate::theory::oscillator::{Oscillator, OscillatorState};
 
-/// What the wall is over a step: mass, spring and the force that holds. Where the step resolves the spring,
-/// it moves exactly as they do. Where the spring is far too stiff for the step, it moves to where they are
-/// in balance at the end.
+/// The wall over a step: mass, spring and the force that holds. If the step resolves the spring,
+/// its motion is exact. If the spring is far too stiff for the step, the wall moves to its balance
+/// at the step's end.
 struct Swing {
     exact: Oscillator,
     from: OscillatorState,
-    /// Of Euler's backward step.
+    /// From Euler's backward step.
     balanced: OscillatorState,
     /// Share of the backward step, η.
     share: f64,
@@ -36,7 +36,7 @@ impl Swing {
         }
     }
 
-    /// By which the law is told apart, m/s².
+    /// The acceleration that decides which law applies, m/s².
     fn acceleration(&self) -> f64 {
         let Oscillator { mass, stiffness, force } = self.exact;
         let first = (force - stiffness * self.from.position) / mass;
@@ -45,15 +45,15 @@ impl Swing {
 }
 
 impl SpringWall {
-    /// Advances by `dt` seconds under the water's force F = `force` - `added_mass` · a, the mean over the
-    /// step. The wall makes (1 - η) of the exact motion of spring and mass, and η of Euler's backward step.
+    /// Advances by `dt` seconds under the water's force F = `force` - `added_mass` · a, the mean
+    /// over the step. The motion is (1 - η) times the exact one plus η times Euler's backward step.
     /// ```text
     /// η = κ/(1 + κ),  κ = max(ω²Δt² - 1, 0)/4,  ω² = k/(m + sA)
     /// ```
-    /// A step that resolves the spring, ωΔt ≤ 1, has η = 0. A spring that is far too stiff for the step
-    /// swings many times in it. Its velocity at the end tells nothing of how the wall moved, but it is
-    /// what the water goes on with. Nothing damps the exact swing, and the part of the water's force that
-    /// follows that velocity fed it.
+    /// A step that resolves the spring, ωΔt ≤ 1, has η = 0. A spring that is far too stiff for the
+    /// step swings many times in it. Its velocity at the end says nothing of its motion, but the
+    /// water goes on with that velocity. In the exact motion nothing damps this swing. The part of
+    /// the water's force that follows the velocity then fed it.
     pub(super) fn advanced(&mut self, force: f64, added_mass: f64, dt: f64) -> WallStep {
         let swing = self.swing(force, added_mass, dt);
         let from = swing.from;
@@ -76,9 +76,9 @@ impl SpringWall {
         }
     }
 
-    /// What holds over a step: driven with the water's added mass while the force is above the threshold,
-    /// alone otherwise. The law is monotone in a, so exactly one of the two is consistent with the force
-    /// it leads to.
+    /// The motion over a step. While the force is above the threshold, the wall is driven with the
+    /// water's added mass; otherwise it moves alone. The law is monotone in a. So exactly one of
+    /// the two is consistent with the force that results from it.
     fn swing(&self, force: f64, added_mass: f64, dt: f64) -> Swing {
         let SpringWall { mass, stiffness, threshold, force_coupling: s, .. } = *self;
         let turned = stiffness * dt * dt / (mass + s * added_mass);
@@ -124,7 +124,8 @@ mod tests {
             let mut swing = 2.0;
             for _ in 0..40 {
                 wall.advance(300.0, 0.0, dt);
-                // Energy of the swing about where the spring balances the force, over that at the start.
+                // Energy of the swing about the balance of spring and force, over that at the
+                // start.
                 let (off, speed) = (wall.displacement / place - 1.0, wall.velocity / place);
                 let left = off * off + mass / stiffness * speed * speed;
                 assert!(left < swing || left < 1e-20, "{mass} {stiffness}: {left}");
@@ -137,7 +138,7 @@ mod tests {
 
     #[test]
     fn a_force_that_follows_the_velocity_feeds_no_swing() {
-        // What it does over a step is a tenth of what the water's mass does.
+        // The force's change over a step is a tenth of that by the water's mass.
         for turned in [3.2, 4.2, 5.3, 7.0, 11.0] {
             for sign in [-0.1, 0.1] {
                 let (carried, dt) = (20.0, 6.4e-3);

@@ -1,23 +1,23 @@
-//! The wall's step among kicks: the water's force is known at the step's start.
+//! The wall's step with kicks: the water's force is known at the step's start.
 
 use super::{SpringWall, WallLaw, WallStep};
 
 impl SpringWall {
-    /// Advances by `dt` seconds under the water's force F = `force` - `added_mass` · a at the step's
-    /// start. X stands at that instant; V is the mean velocity over the step before, half a step
-    /// behind, like the velocities of water that is kicked and drifts:
+    /// Advances by `dt` seconds under the water's force F = `force` - `added_mass` · a at the
+    /// step's start. X is that of the same instant. V is the mean velocity over the step before,
+    /// half a step earlier, as for water with kick and drift:
     /// ```text
     /// m a = s max(F - F_th, 0) - k X̄,  X̄ = X + η V Δt + β a Δt²,  β = (1 + η)²/4
     /// V⁺ = V + a Δt,  X⁺ = X + V⁺ Δt,  η = κ/(1 + κ),  κ = k Δt²/(4 (m + sA))
     /// ```
-    /// That is Newmark's family (1959) with γ = ½ + η, written for three instants: X̄ is βX⁺ +
-    /// (½ - 2β + γ)X + (½ + β - γ)X⁻. Where the step resolves the spring, η vanishes and X̄ is the mean
-    /// (X⁺ + 2X + X⁻)/4, which neither feeds nor damps. A spring that is far too stiff for the step
-    /// takes the place where it balances the force: η = 1, X̄ = X⁺.
+    /// This is Newmark's family (1959) with γ = ½ + η, written for three instants: X̄ is βX⁺ + (½ -
+    /// 2β + γ)X + (½ + β - γ)X⁻. If the step resolves the spring, η vanishes and X̄ is the mean (X⁺
+    /// + 2X + X⁻)/4, which neither adds nor removes energy. A spring that is far too stiff for the
+    /// step moves to the balance of the force: η = 1, X̄ = X⁺.
     ///
-    /// Force and velocity have to be in turns as the water's are. Over a step the water before the
-    /// wall is a spring, too, of stiffness K. With its force held while the wall moves exactly, each
-    /// step multiplies the swing's energy by 1 + ½KΔt²/m, and light walls ring.
+    /// Force and velocity must alternate as those of the water do. Over a step the water before the
+    /// wall acts as another spring, of stiffness K. If its force were held while the wall moves
+    /// exactly, each step would multiply the swing's energy by 1 + ½KΔt²/m. Light walls would ring.
     pub(super) fn kicked(&mut self, force: f64, added_mass: f64, dt: f64) -> WallStep {
         if self.displacement <= 0.0 && self.velocity <= 0.0 && force <= self.threshold {
             return WallStep::default();
@@ -34,8 +34,8 @@ impl SpringWall {
         WallStep { acceleration, travel: velocity * dt, ..WallStep::default() }
     }
 
-    /// The acceleration at the step's start. The law is monotone in it, so exactly one of two is
-    /// consistent with the force that it leads to: that of a driven wall or of a free one.
+    /// The acceleration at the step's start. The law is monotone in it. So exactly one of two is
+    /// consistent with the force that results from it: that of a driven wall, or of a free one.
     fn acceleration(&self, force: f64, added_mass: f64, dt: f64) -> f64 {
         let s = self.force_coupling;
         let unresolved = 0.25 * self.stiffness * dt * dt / (self.mass + s * added_mass);
@@ -57,8 +57,8 @@ mod tests {
         SpringWall::at_rest(mass, stiffness, 200.0, 1.0)
     }
 
-    /// Largest distance from the exact oscillator over two periods of 2π seconds, let go at X = 1 in
-    /// a force that keeps it off its stop.
+    /// Largest distance from the exact oscillator over two periods of 2π seconds. It starts at X =
+    /// 1, and the force keeps it off its stop.
     fn error(steps: u32) -> f64 {
         let exact = Oscillator { mass: 2.0, stiffness: 2.0, force: 4.0 };
         let from = OscillatorState { position: 1.0, velocity: 0.0 };
@@ -122,9 +122,9 @@ mod tests {
         }
     }
 
-    /// A wall at the end of a column of water that only carries sound, in cells with ρ = c0 = Δx = 1
-    /// that are kicked and drift; half a cell moves with the wall. Its largest velocity after a push,
-    /// in the second half of the time that sound takes there and back.
+    /// A wall at the end of a column of water that only carries sound, in cells with ρ = c0 = Δx =
+    /// 1 with kick and drift. Half a cell moves with the wall. Returns the largest velocity after a
+    /// push, in the second half of the time that sound takes there and back.
     fn swing_left(
         law: fn(&mut SpringWall, f64, f64, f64) -> WallStep,
         mass: f64,
@@ -133,7 +133,7 @@ mod tests {
         const CELLS: usize = 400;
         let dt = 0.9;
         let (mut pressure, mut velocity) = ([0.0; CELLS], [0.0; CELLS]);
-        // In balance, well away from the stop.
+        // In balance, far from the stop.
         let mut wall = SpringWall { displacement: 1e3 / stiffness, ..wall(mass, stiffness) };
         let mut left = 0.0_f64;
         for step in 0..2 * CELLS {
@@ -159,7 +159,7 @@ mod tests {
                 assert!(left < 1e-2, "m {mass} k {stiffness}: {left}");
             }
         }
-        // With the force held over the step, the same wall takes energy from the step itself.
+        // If the force is held over the step, the same wall takes energy from the step itself.
         let held = |wall: &mut SpringWall, force: f64, added_mass: f64, dt: f64| {
             let SpringWall { mass, stiffness, threshold, displacement, velocity, .. } = *wall;
             let mass = mass + added_mass;
