@@ -1,23 +1,23 @@
-//! Blows of the wall on its stop, and the sound that they make.
+//! Impacts of the wall on its stop, and the sound that they make.
 
 use serde::{Deserialize, Serialize};
 
 use super::outcome::Maximum;
 use crate::theory::wall_potential::CARRIED;
 
-/// A weaker hit, over ½ρgh² √(h/g), is a touch: its sound is too faint to matter.
+/// A weaker impact, over ½ρgh² √(h/g), is a touch: its sound is too faint to matter.
 const WEAKEST: f64 = 0.02;
-/// The wall must have come this far from its stop, over h, to strike it in earnest.
+/// The wall must have been this far from its stop, over h, for a real impact.
 const LEAST_TRAVEL: f64 = 0.01;
-/// The sound is too loud for any reading of the force for this long, over d/c0: one and a half periods
-/// of the slowest mode of water of the depth d, with the first two rebounds.
+/// For this time, over d/c0, the sound is too loud for any reading of the force. This is one and a
+/// half periods of the slowest mode of water of the depth d, and includes the first two rebounds.
 const LOUD: f64 = 6.0;
 /// It can still be heard for this long, over d/c0: three periods.
 const AUDIBLE: f64 = 12.0;
-/// Steps in which water without sound answers a blow.
+/// Steps that an impact takes in water without sound.
 const STEPS: f64 = 4.5;
 
-/// What scales a blow.
+/// Scales of an impact.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Acoustics {
     /// Depth h of the still water, metres.
@@ -31,11 +31,11 @@ pub struct Acoustics {
 /// One hit on the stop.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hit {
-    /// The step in which the wall hits begins then, seconds.
+    /// Time at which the step of the impact begins, seconds.
     pub time_s: f64,
-    /// It lasts so long, seconds.
+    /// Length of that step, seconds.
     pub dt: f64,
-    /// How fast the wall came, m/s.
+    /// Speed of the wall, m/s.
     pub speed: f64,
     /// R* at the wall then.
     pub runup: f64,
@@ -53,23 +53,24 @@ struct Blow {
 pub struct Blows {
     acoustics: Acoustics,
     blows: Vec<Blow>,
-    /// The strongest impulse and its time; touches count, too.
+    /// The strongest impulse and its time; touches are included.
     strongest: Option<Maximum>,
-    /// Whether the wall is under way since a time at which a blow could be heard.
+    /// Whether the wall left its stop while an impact could be heard.
     kicked: bool,
     /// Whether X* is above zero.
     away: bool,
 }
 
 impl Blows {
-    /// None so far.
+    /// No impacts yet.
     pub fn new(acoustics: Acoustics) -> Blows {
         Blows { acoustics, blows: Vec::new(), strongest: None, kicked: false, away: false }
     }
 
-    /// Takes note of a hit by a wall that has been at X* = `farthest` at most.
+    /// Records an impact of a wall whose largest X* so far is `farthest`.
     ///
-    /// The water goes on when the wall stops: its impulse on the wall is -m_a V, m_a = 0.543 ρ d².
+    /// The water goes on when the wall stops. Its impulse on the wall is -m_a V with m_a = 0.543 ρ
+    /// d².
     pub fn hit(&mut self, hit: Hit, farthest: f64) {
         let Acoustics { depth, gravity, sound_speed } = self.acoustics;
         let relative_depth = (1.0 + hit.runup).max(0.0);
@@ -100,18 +101,19 @@ impl Blows {
         self.away = away;
     }
 
-    /// Whether a blow drowns the force at a time, seconds; no earlier one than that of the last blow.
+    /// Whether the sound of an impact hides the force at a time, seconds, which must not be before
+    /// the last impact.
     pub fn drown(&self, time: f64) -> bool {
         self.blows.last().is_some_and(|blow| time < blow.loud_until_s)
     }
 
-    /// Seconds since a blow that can still be heard at a time, if any.
+    /// Seconds since an impact that can still be heard at a time, if any.
     pub fn since_audible(&self, time: f64) -> Option<f64> {
         let heard = |blow: &&Blow| time > blow.time_s && time < blow.audible_until_s;
         self.blows.iter().rfind(heard).map(|blow| time - blow.time_s)
     }
 
-    /// Whether the wall's present way out began while a blow could be heard.
+    /// Whether the wall left its stop, this time, while an impact could be heard.
     pub fn kicked(&self) -> bool {
         self.kicked
     }

@@ -1,4 +1,4 @@
-//! What a case will take, and what it may use.
+//! The cost of a case, and the resources of a run.
 
 use serde::{Deserialize, Serialize};
 
@@ -6,13 +6,13 @@ use crate::math::simd::SimdPath;
 use crate::math::team::Team;
 use crate::scene::CaseConfig;
 
-/// What a run may use.
+/// The resources that a run may use.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Resources {
     /// Instruction set of the hot loops.
     pub simd: SimdPath,
-    /// Threads that may share the work of a step; a small case takes fewer. The answer is the same,
-    /// bit for bit, for any number.
+    /// Threads that may share the work of a step; a small case uses fewer. The answer is the same
+    /// for any number, bit for bit.
     pub threads: usize,
 }
 
@@ -24,22 +24,22 @@ impl From<SimdPath> for Resources {
 }
 
 impl Resources {
-    /// The threads that a case has work for.
+    /// The threads for which a case has enough work.
     pub(super) fn team(self, config: &CaseConfig) -> Team {
         let most = cost(config).particles / PARTICLES_PER_THREAD;
         Team::of(self.threads.min(most as usize))
     }
 }
 
-/// With fewer particles each, threads would wait for one another more than they gain.
+/// With fewer particles each, threads would wait longer than they gain.
 const PARTICLES_PER_THREAD: u64 = 2000;
 
-/// What a case will take, estimated before it runs.
+/// The cost of a case, estimated before it runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cost {
     /// Fluid particles.
     pub particles: u64,
-    /// Steps from rest to the end, those in which the water comes to rest included.
+    /// Steps from start to end, including those in which the water comes to rest.
     pub steps: u64,
     /// Share of the steps before the wall can move (0 where the scene does not branch).
     pub trunk_share: f64,
@@ -55,8 +55,8 @@ pub fn cost(config: &CaseConfig) -> Cost {
     let start = scene.start_s();
     let relaxation = config.numerics.relaxation_time_s;
     let steps = ((end - start + relaxation) / frame.time_step(&config.numerics)).ceil() as u64;
-    // The front reaches the wall when the crest, made at the stroke's centre, has come about 0.6 of
-    // the way; a guess that only has to rank cases.
+    // The crest starts at the stroke's centre. The front reaches the wall when the crest is about
+    // 0.6 of the way. This guess only has to rank cases.
     let onset = scene.seawall().map_or(0.0, |scene| {
         let celerity = (frame.gravity * frame.depth * (1.0 + scene.wave_height_ratio)).sqrt();
         let centre = scene.paddle().and_then(|paddle| paddle.stroke_centre());
@@ -76,7 +76,7 @@ pub fn cost(config: &CaseConfig) -> Cost {
 mod tests {
     use super::*;
 
-    /// The story: a crest 300 m wide took 174 MB, and 15 MB were told.
+    /// A crest 300 m wide once took 174 MB where 15 MB were estimated.
     #[test]
     fn ghosts_of_wide_crests_take_memory() {
         let memory = |behind: &str| {

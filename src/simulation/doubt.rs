@@ -1,4 +1,4 @@
-//! Whether anything touches a quoted number, so that its history should be looked at first.
+//! Whether a quoted number is doubtful, so that its history should be looked at first.
 
 use super::blows::Blows;
 use super::doubt_reasons::END_OF_RUN;
@@ -7,58 +7,61 @@ use super::found_energy::Found;
 use super::health::LASTING_GAP;
 use super::outcome::{Maximum, Outcome};
 
-/// A gap of force above this, percent, is doubtful where a largest force is ...
+/// A force gap above this, percent, is doubtful at the time of a largest force ...
 const FORCE_GAP_PERCENT: f64 = 1.5;
-/// ... and above so many times (Δx/h)², percent, where that is more: with fewer than ten rows of particles.
+/// ... if it is also above this many times (Δx/h)², percent, which matters below ten rows.
 const FORCE_GAP_OF_SPACING: f64 = 150.0;
-/// A gap of energy above this, percent, either way, is doubtful.
+/// An energy gap above this, percent, of either sign, is doubtful.
 const ENERGY_GAP_PERCENT: f64 = 3.0;
-/// So is energy from nowhere above this, percent of the paddle's work, at any look ...
+/// So is energy from nowhere above this, percent of the paddle's work, at any check ...
 const FOUND_PERCENT: f64 = 1.0;
-/// ... and, until the first impact's largest force, above so many times (Δx/h)², percent. The scheme is
-/// of second order: until then sound runs find up to 66 of it at 16 mm and 86 at 25 mm, those of a
-/// Courant number of 2.5 170 and more at 16 mm and 186 and more at 8 mm.
+/// ... and, until the first impact's largest force, above this many times (Δx/h)², percent. The
+/// scheme is of second order. Until then sound runs have up to 66 of it at 16 mm and 86 at 25 mm.
+/// Runs at a Courant number of 2.5 have 170 and more at 16 mm, 186 and more at 8 mm.
 const FOUND_OF_SPACING: f64 = 125.0;
-/// And water at the foot of the wall that its own weight makes denser by more than this, percent.
+/// So is a compression by the water's own weight above this at the foot of the wall, percent.
 const COMPRESSION_PERCENT: f64 = 6.0;
-/// A force and a runup of less than this at the end, over those of still water and over h, tell of no wave.
+/// Force and runup at the end show no wave if they exceed those of still water by less than this,
+/// over its force and over h.
 const RIPPLE: f64 = 0.01;
-/// Still water presses wall and paddle alike: of sound ghosts within so many times (Δx/h)².
+/// Still water presses wall and paddle alike. With sound ghosts they differ by less than this many
+/// times (Δx/h)².
 const LOPSIDED_OF_SPACING: f64 = 0.1;
 
-/// What a finished case is judged by, besides its outcome.
+/// The data by which a finished case is judged, besides its outcome.
 pub(super) struct Evidence<'a> {
     /// The two ways to read the force.
     pub gaps: &'a FaceGaps,
-    /// The largest mean of their gap over some ten looks, over the larger of the force and the hydrostatic one.
+    /// The largest mean of the gap over some ten looks, relative to the larger of the force and the
+    /// hydrostatic one.
     pub largest_gap: f64,
     /// Hits on the stop.
     pub blows: &'a Blows,
-    /// Whether the largest X* is of a way out that began in the sound of a blow.
+    /// Whether the wall left its stop in the sound of an impact on the way to its largest X*.
     pub kicked: bool,
     /// Energy that has come from nowhere.
     pub found: &'a Found,
-    /// What it is counted in, the paddle's work as a rule, J per metre of width ...
+    /// The energy that this is relative to, as a rule the paddle's work, J per metre of width ...
     pub work: f64,
     /// ... and in words.
     pub counted_in: &'static str,
-    /// Δx/h, with the depth at the wall where that is less.
+    /// Δx/h, or Δx over the depth at the wall if that is less.
     pub spacing: f64,
-    /// Δx over the least still water on the way to the wall, less over a sill under water.
+    /// Δx over the least still water on the way to the wall; that is less over a submerged sill.
     pub spacing_on_way: f64,
     /// Whether a paddle makes a wave.
     pub is_wave: bool,
-    /// How much more the wall was pressed than the paddle at rest, over ρgh²/2, where both are alike.
+    /// Force on the wall at rest less that on the paddle, over ρgh²/2, if both should be equal.
     pub lopsided: Option<f64>,
     /// g h/c0², percent; zero where the water is incompressible.
     pub compression_percent: f64,
-    /// From when on a maximum is one of the end, seconds.
+    /// A later maximum counts as one at the end, seconds.
     pub end: f64,
 }
 
 impl Evidence<'_> {
-    /// Why the case is doubtful, if it is: reasons with semicolons between them, each behind its kind
-    /// and a colon.
+    /// Why the case is doubtful, if it is. Reasons are separated by semicolons. Each starts with
+    /// its kind and a colon.
     pub fn doubt(&self, outcome: &Outcome) -> Option<String> {
         let mut reasons = Vec::new();
         reasons.extend(self.gap(outcome));
@@ -71,7 +74,7 @@ impl Evidence<'_> {
         (!reasons.is_empty()).then(|| reasons.join("; "))
     }
 
-    /// The two readings of the force, where a quoted force is.
+    /// The gap between the two readings of the force, at each quoted force.
     fn gap(&self, outcome: &Outcome) -> Option<String> {
         let allowed = FORCE_GAP_PERCENT.max(FORCE_GAP_OF_SPACING * self.spacing * self.spacing);
         let at =
@@ -82,7 +85,7 @@ impl Evidence<'_> {
         (!told.is_empty()).then(|| format!("force gap: the pressure on the face is off by {told}"))
     }
 
-    /// Cavities at the wall, where they do not end a run.
+    /// Cavities at the wall that do not end the run.
     fn voids(&self) -> Option<String> {
         let percent = 100.0 * self.largest_gap;
         (self.is_wave && self.largest_gap > LASTING_GAP).then(|| {
@@ -99,7 +102,8 @@ impl Evidence<'_> {
         }
         let second_order = |spacing: f64| FOUND_OF_SPACING * spacing * spacing;
         let of_spacing = second_order(self.spacing);
-        // Over a sill there are fewer rows, and they find more. What counts at any look counts there, too.
+        // Over a sill there are fewer rows, which find more energy. But the bound for any check
+        // holds there too.
         let of_first = of_spacing.max(second_order(self.spacing_on_way).min(FOUND_PERCENT));
         let until = |time: f64| 100.0 * self.found.most_until(time) / self.work;
         let (first, ever) = (outcome.first_force_max.filter(|_| self.is_wave), f64::INFINITY);
@@ -127,7 +131,8 @@ impl Evidence<'_> {
         })
     }
 
-    /// Forces and runups that would have gone on rising. Displacements have a column of their own for it.
+    /// Forces and runups that would have risen further. Displacements have a column of their own
+    /// for that.
     fn cut_off(&self, outcome: &Outcome) -> Option<String> {
         let risen = |maximum: Maximum, still: f64| maximum.value > still + RIPPLE;
         let force = ("force_max", outcome.force_max, 1.0);
@@ -142,7 +147,7 @@ impl Evidence<'_> {
         })
     }
 
-    /// Maxima in the sound of a hit on the stop.
+    /// Maxima in the sound of an impact on the stop.
     fn stops<'a>(&'a self, outcome: &'a Outcome) -> impl Iterator<Item = String> + use<'a> {
         let told = |(name, maximum): (&'static str, Maximum)| {
             let since = self.blows.since_audible(maximum.time_s)?;
@@ -158,7 +163,8 @@ impl Evidence<'_> {
     }
 }
 
-/// The largest force of the run by the name of its column, and that of the first impact where it is another one.
+/// The largest force of the run, named by its column, and that of the first impact if it is
+/// another.
 fn forces(outcome: &Outcome) -> impl Iterator<Item = (&'static str, Maximum)> {
     let other = outcome.first_force_max.filter(|first| first.time_s != outcome.force_max.time_s);
     told([("force_max", Some(outcome.force_max)), ("first_force_max", other)])
@@ -174,7 +180,7 @@ fn others(outcome: &Outcome) -> impl Iterator<Item = (&'static str, Maximum)> {
     ])
 }
 
-/// Those that are there.
+/// The maxima that exist.
 fn told<const N: usize>(
     maxima: [(&'static str, Option<Maximum>); N],
 ) -> impl Iterator<Item = (&'static str, Maximum)> {

@@ -1,23 +1,24 @@
-//! The words that a doubtful case carries: reasons with semicolons between them, each behind its kind and a
-//! colon.
+//! The text of a doubtful case. Reasons are separated by semicolons. Each starts with its kind and
+//! a colon.
 
 use serde::{Deserialize, Deserializer};
 
-/// The kind of a maximum that stands at the end of the run.
+/// The kind of a maximum at the end of the run.
 pub(super) const END_OF_RUN: &str = "end of run";
 
-/// The kinds of the reasons that a case is doubted for.
+/// The kinds of the reasons for which a case is doubtful.
 pub fn kinds_of_doubt(told: &str) -> impl Iterator<Item = &str> {
     told.split("; ").filter_map(|reason| Some(reason.split_once(": ")?.0))
 }
 
-/// Whether the same case with finer particles may be free of these reasons: all but that the run ends too early.
+/// Whether the same case with finer particles may be free of these reasons. It may, unless the run
+/// ends too early.
 pub fn finer_particles_may_clear(told: &str) -> bool {
     kinds_of_doubt(told).all(|kind| kind != END_OF_RUN)
 }
 
-/// Reads the reasons of a journal. Earlier versions counted coarse particles among them, which touch no
-/// number more than another and have a column of their own now.
+/// Reads the reasons from a journal. Earlier versions had coarse particles among them. These affect
+/// all numbers alike, and now have a column of their own.
 pub(super) fn read<'de, D: Deserializer<'de>>(from: D) -> Result<Option<String>, D::Error> {
     let told = Option::<String>::deserialize(from)?.unwrap_or_default();
     let others = told.split("; ").filter(|reason| !reason.starts_with("coarse spacing: "));

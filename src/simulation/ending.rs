@@ -1,4 +1,4 @@
-//! What a run shows on its way, and hands over at its end.
+//! What a run reports on its way and at its end.
 
 use super::doubt::Evidence;
 use super::energy::WaterEnergy;
@@ -15,7 +15,7 @@ use crate::body::{Motions, Place};
 use crate::scene::SeawallScene;
 
 impl Run {
-    /// Shows the water to a monitor that films, at its times and at the end.
+    /// Gives the water to a monitor that films, at the monitor's times and at the end.
     pub(super) fn film(&mut self, monitor: &dyn Monitor, time: f64, last: bool) {
         let Some(interval) = monitor.film_interval() else { return };
         if last || time >= interval * self.films as f64 * (1.0 - 1e-12) {
@@ -32,19 +32,19 @@ impl Run {
         }
     }
 
-    /// Takes note of the water's motion once the paddle stands, for [`Run::has_settled`].
+    /// Records the water's motion once the paddle stands, for [`Run::has_settled`].
     pub(super) fn note_liveliness(&mut self, bodies: &Motions, energy: &EnergyBudget) {
         let Some(paddle) = &self.tank.paddle else { return };
         if self.config.numerics.stop_when_settled && self.clock.time > paddle.still_from() {
             let frame = self.tank.frame;
-            // A standing wave as long as two tanks has its motion at its largest once in this time.
+            // A standing wave as long as two tanks has its largest motion once in this time.
             let crossing = self.length_now(bodies) / (frame.gravity * frame.depth).sqrt();
             self.logbook.liveliness.note(self.clock.time, energy.kinetic, crossing);
         }
     }
 
-    /// Whether a run may end early so many seconds from now, in a step ahead of which its state can be
-    /// kept only now.
+    /// Whether a run may end early within this time, seconds, in a step before which its state can
+    /// only be stored now.
     pub(super) fn may_settle_within(&self, seconds: f64) -> bool {
         let Some(paddle) = &self.tank.paddle else { return false };
         let then = self.clock.time + seconds;
@@ -53,9 +53,9 @@ impl Run {
         can_stop && then > due && self.tank.water.can_be_kept()
     }
 
-    /// Whether no reported maximum can be passed any more: paddle and wall stand, and too little is left
-    /// of the energy above that of still water between paddle and wall. See [`Prospect`]. Never
-    /// before enough is known of how lively the water is.
+    /// Whether no reported maximum can still be exceeded. For that paddle and wall must stand, and
+    /// too little energy must be left above that of still water between them. See [`Prospect`].
+    /// Always false until the liveliness of the water is known.
     pub(super) fn has_settled(&self, bodies: &Motions, energy: &EnergyBudget) -> bool {
         let Some(lively) = self.logbook.liveliness.energy() else { return false };
         let farthest = self.logbook.measures.displacement.map_or(0.0, |maximum| maximum.value);
@@ -63,7 +63,7 @@ impl Run {
             return false;
         }
         let (frame, static_force) = (self.tank.frame, self.tank.static_force);
-        // Still water has ρ g V²/(2 L) between walls that are L apart.
+        // Still water has ρ g V²/(2 L) between walls at the distance L.
         let raised =
             self.logbook.ledger.start.potential * (frame.length / self.length_now(bodies) - 1.0);
         let left = energy.kinetic + (energy.potential - raised).max(0.0);
@@ -75,12 +75,12 @@ impl Run {
         Prospect::of(left / unit, held).leaves(&self.logbook.measures)
     }
 
-    /// From the paddle to the wall, metres.
+    /// Distance from the paddle to the wall, metres.
     fn length_now(&self, bodies: &Motions) -> f64 {
         self.tank.frame.length + bodies[Place::Right].offset - bodies[Place::Left].offset
     }
 
-    /// The results of a run that has reached its end.
+    /// The results of a run at its end.
     pub fn result(self) -> CaseResult {
         let now = WaterEnergy::of(self.tank.water.as_ref(), self.tank.frame.gravity);
         let energy = self.logbook.ledger.close(now, &self.tank.wall);
@@ -92,7 +92,7 @@ impl Run {
             .phases()
             .into_iter()
             .chain([("readings", self.reading_time)])
-            // What the scene does not use has taken nothing.
+            // Phases that the scene does not use have taken no time.
             .filter(|&(_, seconds)| seconds > 0.0)
             .map(|(phase, seconds)| PhaseShare { phase: phase.to_owned(), seconds })
             .collect();
@@ -119,7 +119,7 @@ impl Run {
         measures.pressed.envelope(heights, &measures.first)
     }
 
-    /// The scalars of the summary, with what makes them doubtful.
+    /// The scalars of the summary, with their doubts.
     fn outcome(&self, energy: &EnergyBudget) -> Outcome {
         let Run { tank, logbook, .. } = self;
         let (water, m) = (&tank.water, &logbook.measures);
@@ -127,7 +127,7 @@ impl Run {
         // A paddle that has never moved has done no work.
         let moves = tank.paddle.is_some() && worked > 0.0;
         let scale = if moves { worked } else { logbook.ledger.start.given() };
-        // The first impact of a wave has no meaning in other scenes.
+        // Other scenes have no first impact of a wave.
         let has_wave = tank.wave_gauge.is_some();
         let wall = tank.wall.state();
         let outcome = Outcome {
@@ -204,7 +204,7 @@ impl Run {
         Outcome { doubtful_reason: evidence.doubt(&outcome), ..outcome }
     }
 
-    /// What else the scene tells: of the solver, of its flow, of its probes.
+    /// Other results of the scene: of the solver, of its flow, of its probes.
     fn readings(&self) -> Vec<NamedReading> {
         let mut all = Readings::default();
         if let Some(solver) = self.tank.water.solver() {

@@ -1,4 +1,4 @@
-//! The energy budget: each term summed on its own, the residual an honest gap.
+//! The energy budget. Each term is summed on its own, so the residual is a true gap.
 
 use serde::{Deserialize, Serialize};
 
@@ -13,9 +13,9 @@ pub struct WaterEnergy {
     pub kinetic: f64,
     /// Σ m g y, and that of a central field.
     pub potential: f64,
-    /// Σ m ∫ p/ρ² dρ, of tension only the share that the scheme lets act.
+    /// Σ m ∫ p/ρ² dρ. Of tension only the share that acts in the scheme.
     pub elastic: f64,
-    /// What the water had that has left over a crest.
+    /// The energy of the water that has left over a crest.
     pub taken: f64,
 }
 
@@ -37,7 +37,7 @@ impl WaterEnergy {
         energy
     }
 
-    /// What the water has of its own to turn into other forms: its motion, where it moves, else its
+    /// The water's initial energy that can turn into other forms: its motion if it moves, else its
     /// height.
     pub fn given(&self) -> f64 {
         if self.kinetic > 0.0 { self.kinetic } else { self.potential }
@@ -50,10 +50,10 @@ pub struct Ledger {
     /// At the start.
     pub start: WaterEnergy,
     paddle_work: f64,
-    /// The most that this has been, either way.
+    /// The largest magnitude of the paddle's work so far.
     most_work: f64,
-    /// What has passed between paddle and water either way, less the push of still water, J per metre of
-    /// width.
+    /// The energy that has passed between paddle and water in either direction, without the push of
+    /// still water, J per metre of width.
     exchanged: f64,
     threshold_device: f64,
     stops: f64,
@@ -65,28 +65,28 @@ pub struct Ledger {
 }
 
 impl Ledger {
-    /// Opens the books on water with this energy, when the clock shows `time`, s.
+    /// A ledger for water with this energy, at the time `time`, s.
     pub fn open(start: WaterEnergy, time: f64) -> Ledger {
         Ledger { start, last_sample: time, ..Ledger::default() }
     }
 
-    /// Books the paddle's work over one step against the water's force on it, along x, and that of still
-    /// water.
+    /// Adds the paddle's work over one step, from the water's force on it along x, and the force of
+    /// still water.
     pub fn book_paddle(&mut self, [force, at_rest]: [f64; 2], travel: f64) {
         self.paddle_work -= force * travel;
         self.most_work = self.most_work.max(self.paddle_work.abs());
         self.exchanged += ((force - at_rest) * travel).abs();
     }
 
-    /// Books what holds the wall takes over one step: of the water's force on the wall, and the force
-    /// that the wall's law counts with.
+    /// Adds the energy that the wall's holding parts take over one step, from the water's force on
+    /// the wall. `counted` is the force that the wall's law uses.
     pub fn book_wall(&mut self, wall: &Wall, [force, counted]: [f64; 2], step: WallStep) {
         self.threshold_device += (force - wall.driving(counted, step.travel)) * step.travel;
         self.stops += step.stop_loss;
     }
 
-    /// Books the losses of a step; powers were summed only where `sampled`, and hold until the
-    /// next sample (trapezoid).
+    /// Adds the losses of a step. Powers were summed only where `sampled`; between samples the
+    /// trapezoid rule holds.
     pub fn book_losses(&mut self, time: f64, sampled: bool, losses: Dissipation) {
         self.shifting += losses.shifting_work;
         if sampled {
@@ -98,14 +98,15 @@ impl Ledger {
         }
     }
 
-    /// What gaps are told of: the most that the paddle's work has been so far, J per metre of width. A train's goes up
-    /// and down with the push of still water, and may be next to nothing at the end. What a paddle that `absorbs` gives
-    /// it takes back, so what has passed either way counts where that is more.
+    /// The energy to which gaps are relative: the largest magnitude of the paddle's work so far, J
+    /// per metre of width. The work of a train goes up and down with the push of still water, and
+    /// may be close to zero at the end. A paddle that `absorbs` takes back the energy it gives. So
+    /// the energy that passed in either direction counts if it is more.
     pub fn worked(&self, absorbs: bool) -> f64 {
         if absorbs { self.most_work.max(self.exchanged) } else { self.most_work }
     }
 
-    /// The budget with the water's energy as it is now.
+    /// The budget with the water's present energy.
     pub fn close(&self, now: WaterEnergy, wall: &Wall) -> EnergyBudget {
         EnergyBudget {
             paddle_work: self.paddle_work,
@@ -125,7 +126,7 @@ impl Ledger {
 }
 
 impl EnergyBudget {
-    /// Paddle work less all that became of it, J per metre of width.
+    /// Paddle work less all other terms, J per metre of width.
     pub fn residual(&self) -> f64 {
         self.paddle_work
             - (self.kinetic
@@ -157,14 +158,14 @@ mod tests {
 
     #[test]
     fn a_gap_is_told_of_the_most_work_there_was() {
-        // A paddle that goes forth and back against still water.
+        // A paddle that moves forward and back against still water.
         let mut ledger = Ledger::default();
         for travel in [0.1, -0.099] {
             ledger.book_paddle([-200.0, -200.0], travel);
         }
         assert!((ledger.worked(false) - 20.0).abs() < 1e-12);
         assert_eq!(ledger.worked(false), ledger.worked(true));
-        // Four hundred times it gives 0.1 J more than still water takes, and takes them back.
+        // Four hundred times it gives 0.1 J more than still water takes, and takes it back.
         for _ in 0..400 {
             [0.01, -0.01]
                 .into_iter()

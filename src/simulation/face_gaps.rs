@@ -1,13 +1,14 @@
-//! The two ways to read the force on the wall, side by side at every sample.
+//! The two readings of the force on the wall, side by side at every sample.
 
 use serde::{Deserialize, Serialize};
 
-/// The gap of a largest force is that of the means over this span around it, over √(h/g).
+/// The gap at a largest force is that of means over this span around it, over √(h/g).
 const SPAN: f64 = 0.14;
-/// A ratio of the two at the start that is farther from one than this is none of the spacing.
+/// If the ratio of the two at the start is farther from one than this, the spacing is not the
+/// reason.
 const LARGEST_BIAS: f64 = 0.2;
 
-/// What pressure on the wall's face and the momentum that the water hands over said.
+/// The force from the pressure on the wall's face, and from the momentum that the water transfers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FaceGaps {
     span: f64,
@@ -16,7 +17,7 @@ pub struct FaceGaps {
 }
 
 impl FaceGaps {
-    /// None yet; √(h/g) in seconds.
+    /// No samples yet; √(h/g) in seconds.
     pub fn new(unit_time: f64) -> FaceGaps {
         FaceGaps { span: SPAN * unit_time, samples: Vec::new() }
     }
@@ -26,7 +27,7 @@ impl FaceGaps {
         self.samples.len()
     }
 
-    /// Makes room for so many more samples.
+    /// Makes room for this many more samples.
     pub fn make_room(&mut self, more: usize) {
         self.samples.reserve_exact(more);
     }
@@ -36,16 +37,16 @@ impl FaceGaps {
         self.samples.push([time, face, force]);
     }
 
-    /// What the face says over the force at the start, where the water is at rest: what a coarse row
-    /// of points makes of the pressure, and no void.
+    /// The ratio of face to force at the start, where the water is at rest. It is the effect of a
+    /// coarse row of points on the pressure, and no void.
     fn bias(&self) -> f64 {
         let ratio = self.samples.first().map_or(1.0, |[_, face, force]| face / force);
         if (ratio - 1.0).abs() < LARGEST_BIAS { ratio } else { 1.0 }
     }
 
-    /// How much more the face says than the force, percent of the larger of the force and the
-    /// hydrostatic one, in the mean over the span around a time, s, or of the nearest sample. What
-    /// the two differ by at the start is taken off.
+    /// How much larger the face's force is than the momentum's, in percent of the larger of the
+    /// momentum's and the hydrostatic force. It is the mean over the span around a time, s, or the
+    /// nearest sample. The ratio at the start is taken out.
     pub fn around(&self, time: f64) -> f64 {
         let apart = |sample: &[f64; 3]| (sample[0] - time).abs();
         let nearest = self.samples.iter().map(apart).fold(f64::INFINITY, f64::min);
@@ -70,7 +71,7 @@ mod tests {
         gaps.push(0.0, [1.0, 1.0]);
         for k in 1..400 {
             let time = 0.005 * f64::from(k);
-            // Sound of 10 % that comes and goes, and a void of 10 % before 0.5 s.
+            // Sound of 10 % of alternating sign, and a void of 10 % before 0.5 s.
             let sound = if k % 2 == 0 { 0.2 } else { -0.2 };
             let void = if time < 0.5 { 0.2 } else { 0.0 };
             gaps.push(time, [2.0 + sound - void, 2.0]);

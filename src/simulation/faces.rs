@@ -1,25 +1,27 @@
-//! The faces of walls, bed and lid, and how hard the water presses on them.
+//! The faces of walls, bed and lid, and the water's pressure on them.
 
 use super::run::Run;
 use super::sounding::Sounding;
 use crate::body::{Motions, Place};
 use crate::boundary::{Crest, Profile};
 
-/// The face of a body at an instant: a line of points, a particle spacing apart or less.
+/// The face of a body at an instant: a line of points at a distance of at most a particle spacing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Face {
     /// Whose face it is.
     pub place: Place,
-    /// How fast the body moves along x, m/s.
+    /// Velocity of the body along x, m/s.
     pub velocity: f64,
-    /// x and y, metres: along the bed and the lid from the left, up the walls and over their crest.
+    /// x and y, metres. Along bed and lid they go from the left; along walls they go up and over
+    /// the crest.
     pub points: Vec<[f64; 2]>,
-    /// The water's pressure at the points, Pa, read as a pressure probe there would; 0 where it is dry.
+    /// The water's pressure at the points, Pa, as a pressure probe there would read it; 0 where it
+    /// is dry.
     pub pressure: Vec<f64>,
 }
 
 impl Run {
-    /// The faces of all bodies; none where nothing holds the water.
+    /// The faces of all bodies; none if there are no walls.
     pub(super) fn faces(&mut self, bodies: &Motions) -> Vec<Face> {
         let Run { tank, near, .. } = self;
         let ghosts = tank.water.walls();
@@ -27,7 +29,7 @@ impl Run {
             return Vec::new();
         }
         let crest = ghosts.crest.as_ref();
-        // The last faces of a wall with a crest are its back's.
+        // The last face points of a wall with a crest belong to its back.
         let tall = if crest.is_some() { Place::Left } else { Place::Right };
         let top = ghosts.bodies[tall.number()].faces.clone().next_back();
         let top = top.map_or(tank.frame.depth, |face| ghosts.target_y[face] + 0.5 * tank.spacing);
@@ -55,7 +57,7 @@ impl Run {
             let up = if flat { upright } else { [(x1 - x0) / long, (y1 - y0) / long] };
             let mut pressure = water.pressures(&points, up);
             if let Some(crest) = crest {
-                // Its top goes on from its face.
+                // Its top continues its face.
                 let over = between(crest.ends.map(|x| [x, crest.height]), tank.spacing);
                 pressure.extend_from_slice(&water.pressures(&over[1..], upright));
                 points.extend_from_slice(&over[1..]);
@@ -77,7 +79,7 @@ fn ends(water: &Sounding<'_>, place: Place, top: f64) -> [[f64; 2]; 2] {
     }
 }
 
-/// Points on a bed that is not level, likewise.
+/// Points on a bed that is not level, at most a spacing apart.
 fn along_bed(bed: &Profile, [[left, _], [right, _]]: [[f64; 2]; 2], spacing: f64) -> Vec<[f64; 2]> {
     let inside = bed.points().iter().copied().filter(|[x, _]| *x > left && *x < right);
     let first = [[left, bed.height(left)]];
@@ -85,7 +87,7 @@ fn along_bed(bed: &Profile, [[left, _], [right, _]]: [[f64; 2]; 2], spacing: f64
     along(&first.into_iter().chain(inside).chain(last).collect::<Vec<_>>(), spacing)
 }
 
-/// Points on a line with corners, likewise.
+/// Points on a line with corners, at most a spacing apart.
 fn along(corners: &[[f64; 2]], spacing: f64) -> Vec<[f64; 2]> {
     let mut points = vec![corners[0]];
     for pair in corners.windows(2) {
@@ -94,7 +96,7 @@ fn along(corners: &[[f64; 2]], spacing: f64) -> Vec<[f64; 2]> {
     points
 }
 
-/// Points on a line, no farther apart than the spacing.
+/// Points on a straight line, at most a spacing apart.
 fn between([from, to]: [[f64; 2]; 2], spacing: f64) -> Vec<[f64; 2]> {
     let way = [to[0] - from[0], to[1] - from[1]];
     let pieces = (way[0].hypot(way[1]) / spacing).ceil().max(1.0) as u32;

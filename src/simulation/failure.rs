@@ -1,4 +1,4 @@
-//! Why a case could not be finished.
+//! Reasons for which a case could not be finished.
 
 use serde::{Deserialize, Serialize};
 
@@ -19,9 +19,9 @@ pub enum FailureKind {
     ParticlesLost,
     /// Energy came from nowhere.
     EnergyGrowth,
-    /// Force and pressure on the wall's face disagreed for long: voids at the wall.
+    /// Force and pressure on the wall's face differed for long: voids at the wall.
     ForceGap,
-    /// Particles have drawn together in clusters.
+    /// Particles have formed clusters.
     Clustering,
     /// The wall's motion diverged.
     WallUnstable,
@@ -40,7 +40,8 @@ pub enum FailureKind {
 }
 
 impl FailureKind {
-    /// Whether smaller time steps may help: the numbers ran away, rather than the program failing.
+    /// Whether smaller time steps may help: true if the computation became unstable, false if the
+    /// program failed.
     pub fn is_instability(self) -> bool {
         !matches!(
             self,
@@ -71,7 +72,7 @@ pub enum Stopped {
     /// The case itself failed.
     #[error(transparent)]
     Failed(#[from] Failure),
-    /// The caller asked to stop; nothing is wrong with the case.
+    /// The caller asked to stop. Nothing is wrong with the case.
     #[error("interrupted")]
     Interrupted,
 }

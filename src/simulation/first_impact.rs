@@ -6,13 +6,13 @@ use super::force_rise::Onrush;
 use super::outcome::Maximum;
 use super::peak::Peak;
 
-/// F* must last this long above or below a bound to count, over √(h/g): 0.02 s at h = 0.2 m.
+/// F* must stay above or below a bound for this time to count, over √(h/g): 0.02 s at h = 0.2 m.
 const PERSISTENCE: f64 = 0.14;
-/// The first impact is on once F* has stayed above this, and the force below which it is over.
+/// The first impact begins once F* has stayed above this. It is over once F* stays below.
 const IMPACT_FORCE: f64 = 1.15;
 /// A stop ends the first impact only after X* has exceeded this.
 const IMPACT_TRAVEL: f64 = 0.01;
-/// Samples of the force's rise are no closer than this, over √(h/g).
+/// Samples of the force's rise are at least this far apart, over √(h/g).
 const SHORT: f64 = 0.0175;
 
 /// One step's readings, non-dimensional: F*, R*, X*, and the wall's count of stops.
@@ -33,7 +33,7 @@ pub struct Reading {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 enum Stage {
     Before,
-    /// F* has crossed the bound, but has not stayed above it yet: all readings are on trial.
+    /// F* has exceeded the bound, but has not stayed above it yet. All readings are provisional.
     Trial {
         above_since: Option<f64>,
     },
@@ -49,7 +49,7 @@ struct Readings {
     displacement: Option<Maximum>,
     force_peak: Peak,
     runup_peak: Peak,
-    /// Count of stops that do not end the impact.
+    /// Number of stops that do not end the impact.
     stops: u32,
 }
 
@@ -69,7 +69,7 @@ impl Readings {
 /// The first impact so far.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FirstImpact {
-    /// F* above which the wall gives way.
+    /// F* above which the wall moves.
     threshold: f64,
     /// F* below which the impact is over.
     let_go: f64,
@@ -84,7 +84,8 @@ pub struct FirstImpact {
 }
 
 impl FirstImpact {
-    /// For the F* above which the wall gives way and that below which an impact is over; √(h/g) in seconds.
+    /// `threshold` is the F* above which the wall moves, `let_go` that below which an impact is
+    /// over; √(h/g) in seconds.
     pub fn new([threshold, let_go]: [f64; 2], unit_time: f64) -> FirstImpact {
         FirstImpact {
             threshold,
@@ -100,7 +101,7 @@ impl FirstImpact {
         }
     }
 
-    /// Takes the running mean of F* at a time, s, and the stops so far.
+    /// Takes the running mean of F* at a time, s, and the number of stops so far.
     pub fn push_force(&mut self, at: f64, mean: f64, stops: u32) {
         let persistence = self.persistence;
         if mean > self.threshold {
@@ -136,7 +137,7 @@ impl FirstImpact {
         if self.is_under_way() {
             Maximum::raise(&mut self.readings.force, mean, at);
             self.readings.force_peak.push(mean);
-            // Noise may press the force down while the water at the wall still climbs.
+            // Noise may lower the force while the water at the wall still climbs.
             let low = self.below_since.is_some_and(|since| at - since >= persistence);
             if low && (self.stage != Stage::On || self.readings.runup_peak.closed) {
                 self.end();
@@ -151,7 +152,7 @@ impl FirstImpact {
         }
     }
 
-    /// Takes a step's R*, and ends the impact at a stop.
+    /// Takes a step's R*. Ends the impact at a stop.
     pub fn push_motion(&mut self, reading: &Reading) {
         if !self.is_under_way() {
             return;
@@ -168,25 +169,25 @@ impl FirstImpact {
         }
     }
 
-    /// Takes the mean of F* in the last moments before a blow. What sound adds to them is not known as it is of others,
-    /// so they count for the impulse alone.
+    /// Takes the mean of F* just before an impact on the stop. Its part of sound is not known as it
+    /// is at other times. So it counts only for the impulse.
     pub fn push_last(&mut self, at: f64, mean: f64) {
         if self.is_under_way() {
             self.onrush.add(at, mean);
         }
     }
 
-    /// Takes note that a blow has drowned the force.
+    /// Records that the sound of an impact on the stop hides the force.
     pub fn interrupt(&mut self) {
         self.onrush.interrupt();
     }
 
-    /// What was on trial was a blip.
+    /// Ends the impact. If it was still provisional, it was only a short rise.
     fn end(&mut self) {
         self.stage = if self.stage == Stage::On { Stage::Over } else { Stage::Before };
     }
 
-    /// Whether it is on, or on trial.
+    /// Whether it is on, or provisional.
     pub fn is_under_way(&self) -> bool {
         matches!(self.stage, Stage::Trial { .. } | Stage::On)
     }
@@ -225,17 +226,17 @@ impl FirstImpact {
         self.told().map(|_| self.onrush.impulse())
     }
 
-    /// How long F* - 1 took from 10 to 90 % of its largest, s.
+    /// The time in which F* - 1 rose from 10 to 90 % of its largest value, s.
     pub fn rise_time(&self) -> Option<f64> {
         self.onrush.rise_time(self.force()?)
     }
 
-    /// How many impacts have been on trial.
+    /// How many impacts have begun provisionally.
     pub fn trials(&self) -> u32 {
         self.trials
     }
 
-    /// When F > F_th first lasted, seconds.
+    /// When F > F_th first lasted long enough, seconds.
     pub fn onset(&self) -> Option<f64> {
         self.onset
     }

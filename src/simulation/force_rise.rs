@@ -1,18 +1,19 @@
-//! How a force rises to the maximum of its first impact, and the impulse of it.
+//! The rise of a force to the maximum of its first impact, and the impulse.
 
 use serde::{Deserialize, Serialize};
 
 use super::outcome::Maximum;
 
-/// The rise is that between these shares of the height above still water.
+/// The rise is between these shares of the maximum's height above still water.
 const SHARES: [f64; 2] = [0.1, 0.9];
-/// No more samples than this are kept; an older half goes where water that never impacts is never calm.
+/// At most this many samples are kept. Water that is never calm but never impacts loses its older
+/// half.
 const MOST: usize = 2048;
 
-/// The course of a force up to its maximum, and its integral, from where it was last calm.
+/// The course of a force from its last calm to its maximum, and its integral.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Onrush {
-    /// Samples are no closer than this, seconds.
+    /// Samples are at least this far apart, seconds.
     interval: f64,
     /// F* no higher than this is calm.
     calm: f64,
@@ -24,7 +25,7 @@ pub struct Onrush {
 }
 
 impl Onrush {
-    /// Of impacts of at least this F*, sampled no closer than the interval, s.
+    /// For impacts of at least this F*, with samples at least `interval` apart, s.
     pub fn new(least: f64, interval: f64) -> Onrush {
         Onrush {
             interval,
@@ -51,7 +52,7 @@ impl Onrush {
         }
     }
 
-    /// Takes F* at a time, s, for the integral alone.
+    /// Takes F* at a time, s, only for the integral.
     pub fn add(&mut self, at: f64, force: f64) {
         if let Some([before, last]) = self.last {
             self.impulse += (at - before) * (0.5 * (last + force) - 1.0);
@@ -59,13 +60,13 @@ impl Onrush {
         self.last = Some([at, force]);
     }
 
-    /// An impact begins: what went before was none.
+    /// An impact begins. Earlier samples are not part of it.
     pub fn begin(&mut self) {
         self.last = None;
         self.impulse = 0.0;
     }
 
-    /// What comes next does not follow on the last sample.
+    /// The next sample does not continue the last one.
     pub fn interrupt(&mut self) {
         self.last = None;
     }
@@ -75,8 +76,8 @@ impl Onrush {
         self.impulse
     }
 
-    /// Seconds from 10 % to 90 % of a maximum's height above still water: from when F* last rose through
-    /// the one before the maximum, to when it then first rose through the other.
+    /// Seconds from 10 % to 90 % of a maximum's height above still water. It begins where F* last
+    /// rose through 10 % before the maximum. It ends where F* then first rose through 90 %.
     pub fn rise_time(&self, maximum: Maximum) -> Option<f64> {
         let [low, high] = SHARES.map(|share| 1.0 + share * (maximum.value - 1.0));
         let end = self.course.partition_point(|[time, _]| *time < maximum.time_s);
@@ -91,7 +92,7 @@ impl Onrush {
     }
 }
 
-/// When a value was passed between two samples.
+/// The time at which a value was passed between two samples.
 fn passed([[t0, f0], [t1, f1]]: [[f64; 2]; 2], value: f64) -> f64 {
     t0 + (t1 - t0) * ((value - f0) / (f1 - f0)).clamp(0.0, 1.0)
 }
@@ -105,7 +106,7 @@ mod tests {
         let mut onrush = Onrush::new(1.15, 0.0025);
         for step in 0..4000 {
             let time = 0.0005 * f64::from(step);
-            // Earlier a blip that comes to rest again.
+            // An earlier short rise that becomes calm again.
             let blip = if (0.3..0.4).contains(&time) { 0.3 } else { 0.0 };
             let force = 1.0 + blip + 2.0 * ((time - 1.0) / 0.25).clamp(0.0, 1.0);
             onrush.push(time, force, time >= 1.01);

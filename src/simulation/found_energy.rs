@@ -2,26 +2,27 @@
 
 use serde::{Deserialize, Serialize};
 
-/// What every look at the energy budget found.
+/// The result of every check of the energy budget.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Found {
-    /// Time, s; energy that has come from nowhere until then, J per metre of width, negative where some is lost.
+    /// Time, s; energy that has come from nowhere until then, J per metre of width; negative where
+    /// some is lost.
     looks: Vec<[f64; 2]>,
 }
 
 impl Found {
-    /// Makes room for so many more looks.
+    /// Makes room for this many more checks.
     pub fn make_room(&mut self, more: usize) {
         self.looks.reserve_exact(more);
     }
 
-    /// Takes a look at a time, s: what became of the work done so far less that work.
+    /// Takes a check at a time, s: all other terms of the budget less the work done.
     pub fn push(&mut self, time: f64, found: f64) {
         self.looks.push([time, found]);
     }
 
-    /// The most that had come from nowhere at any look until a time, s, J per metre of width; 0 where
-    /// none had.
+    /// The most energy that had come from nowhere at any check until a time, s, J per metre of
+    /// width; at least 0.
     pub fn most_until(&self, time: f64) -> f64 {
         let until = self.looks.iter().take_while(|look| look[0] <= time);
         until.map(|look| look[1]).fold(0.0, f64::max)

@@ -4,18 +4,18 @@ use serde::{Deserialize, Serialize};
 
 use super::looks::Looks;
 
-/// The crest is past once the level has dropped this share of it.
+/// The crest has passed once the level has dropped by this share of it.
 const PASSED_DROP: f64 = 0.3;
-/// Crests lower than this share of the still water depth are ripples.
+/// Lower crests than this share of the still water depth are ripples.
 const SMALLEST_CREST: f64 = 0.01;
 
-/// A crest is read off so many readings.
+/// A crest is found from this many readings.
 const READINGS: usize = 5;
 
 /// Follows the surface level over still water, reading by reading.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct CrestGauge {
-    /// Metres above the bed at first.
+    /// First level, metres above the bed.
     at_rest: Option<f64>,
     looks: Looks,
     recent: Vec<f64>,
@@ -24,18 +24,19 @@ pub struct CrestGauge {
 }
 
 impl CrestGauge {
-    /// Takes the memory for its readings.
+    /// Reserves the memory for its readings.
     pub fn make_room(&mut self) {
         self.recent.reserve_exact(READINGS + 1);
     }
 
-    /// Whether to read it now, until the crest is past; see [`Looks::is_due`].
+    /// Whether to read it now, until the crest has passed; see [`Looks::is_due`].
     pub fn is_due(&mut self, time: f64, intervals: (f64, f64)) -> bool {
         !self.passed && self.looks.is_due(time, 0.0, intervals)
     }
 
-    /// Takes a level, metres above the bed, over still water of this depth, and whether the wave `may_be_here`.
-    /// Coarse water over a slope finds its rest in small waves, and those are none of the paddle's.
+    /// Takes a level, metres above the bed, over still water of this depth. `may_be_here` is
+    /// whether the wave can have arrived. Coarse water over a slope makes small waves as it comes
+    /// to rest, which are not the paddle's.
     pub fn read(&mut self, level: f64, depth: f64, may_be_here: bool) {
         let at_rest = *self.at_rest.get_or_insert(level);
         if may_be_here {
@@ -43,8 +44,9 @@ impl CrestGauge {
         }
     }
 
-    /// Takes a level over still water, over h. A parabola through five readings counts, so that a single
-    /// noisy one does not. Their mean would cut a sharp crest off.
+    /// Takes a level over still water, over h. The level comes from a parabola through five
+    /// readings, so that a single noisy one has little effect. Their mean would cut a sharp crest
+    /// off.
     fn push(&mut self, level: f64) {
         self.recent.push(level);
         if self.recent.len() < READINGS || self.passed {
@@ -64,8 +66,8 @@ impl CrestGauge {
     }
 }
 
-/// The parabola that fits five readings best, equally far apart: its height at the middle one, and at its
-/// top where that is within half an interval of it.
+/// The best parabola through five equidistant readings: its height at the middle one, and at its
+/// top if that is within half an interval of the middle.
 fn parabola(readings: &[f64]) -> (f64, f64) {
     let with = |weights: [f64; READINGS]| -> f64 {
         weights.iter().zip(readings).map(|(weight, reading)| weight * reading).sum()
@@ -93,8 +95,8 @@ mod tests {
         assert!((gauge.crest().unwrap() - 0.5).abs() < 1e-3);
     }
 
-    /// Ten rows over a slope of 1:3 sent a wave of 0.011 h through the gauge, and that was told as the height of a
-    /// wave of 0.13 h.
+    /// Ten rows over a slope of 1:3 once sent a wave of 0.011 h through the gauge. That was
+    /// reported as the height of a wave of 0.13 h.
     #[test]
     fn what_passes_before_the_wave_can_is_no_crest() {
         let mut gauge = CrestGauge::default();
@@ -108,7 +110,7 @@ mod tests {
 
     #[test]
     fn a_sharp_crest_is_not_cut_off() {
-        // The crest of a wave of H/h = 0.6, of which the mean of three readings loses a thousandth.
+        // The crest of a wave of H/h = 0.6. The mean of three readings loses a thousandth of it.
         for offset in [0.0, 0.001, 0.0025, 0.004] {
             let mut gauge = CrestGauge::default();
             for k in 0..400 {

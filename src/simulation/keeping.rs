@@ -1,4 +1,4 @@
-//! How a run hands over its state, and takes one up.
+//! How a run stores its state, and goes on from one.
 
 use super::Monitor;
 use super::absorption::Absorption;
@@ -9,7 +9,7 @@ use super::state::RunState;
 use crate::body::BodyMotion;
 
 impl Run {
-    /// Goes back to a kept state, in which the wall still stands.
+    /// Goes back to a stored state in which the wall has not moved.
     pub fn restore(&mut self, state: RunState) {
         self.tank.water.restore(state.water);
         self.clock = state.clock;
@@ -18,7 +18,7 @@ impl Run {
             self.logbook.absorption.as_ref().map_or(BodyMotion::default(), Absorption::added);
     }
 
-    /// Goes back to what an earlier run of the same case has kept.
+    /// Goes on from the state that an earlier run of the same case has stored.
     pub fn take_up(&mut self, kept: Kept) -> Result<(), Failure> {
         self.restore(kept.state);
         self.tank.wall = kept.wall;
@@ -26,7 +26,7 @@ impl Run {
         recalled.map_err(|error| self.failure(FailureKind::CheckpointUnreadable, error.to_string()))
     }
 
-    /// All that is needed to go on while the wall still stands.
+    /// The state that is needed to go on while the wall has not moved.
     pub fn state(&self) -> RunState {
         RunState {
             water: self.tank.water.state(),
@@ -35,7 +35,7 @@ impl Run {
         }
     }
 
-    /// Hands its state over where it is to be kept.
+    /// Stores the state if that is due.
     pub fn keep(&self, monitor: &dyn Monitor, stopping: bool) {
         let Some(keeper) = monitor.keeper() else { return };
         if !self.tank.water.can_be_kept() || !keeper.is_due(stopping) {

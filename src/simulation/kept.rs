@@ -1,5 +1,5 @@
-//! What a run keeps of itself, now and then, so that hours of work outlive their process: all that changes, as
-//! bytes.
+//! The state that a run stores from time to time, as bytes. It has all that changes. So hours of
+//! work are not lost with their process.
 
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
@@ -9,33 +9,33 @@ use super::state::RunState;
 use crate::body::Wall;
 use crate::scene::CaseConfig;
 
-/// Keeps the states of one run. [`super::Monitor::keeper`] hands it over.
+/// Stores the states of one run. It comes from [`super::Monitor::keeper`].
 pub trait Keeper: Sync {
-    /// The state that was kept last, where there is one.
+    /// The last stored state, if there is one.
     fn last(&self) -> Option<Vec<u8>>;
 
-    /// Whether to keep the state now. Asked ahead of every step in which that can be done, and with
-    /// `stopping` before a run ends because it was told to.
+    /// Whether to store the state now. Asked before every step in which that is possible, and with
+    /// `stopping` before a run ends on request.
     fn is_due(&self, stopping: bool) -> bool;
 
-    /// Takes a state.
+    /// Stores a state.
     fn keep(&self, state: Vec<u8>);
 
-    /// The state that was kept last cannot be gone on from: the run starts over.
+    /// The last stored state cannot be used, so the run starts again.
     fn refuse(&self, why: &str);
 }
 
-/// Which attempt at its case a run is.
+/// The number of this attempt at a case.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Attempt {
-    /// How many have failed before it.
+    /// How many attempts have failed before it.
     pub retry: u32,
-    /// What became of the last of them.
+    /// The reason of the last failure.
     pub told: Option<String>,
 }
 
 impl Attempt {
-    /// What it runs: each retry has half the time step of the one before.
+    /// The configuration that it runs: each retry has half the time step of the one before.
     pub fn config(&self, case: &CaseConfig) -> CaseConfig {
         match self.retry {
             0 => case.clone(),
@@ -47,17 +47,17 @@ impl Attempt {
 /// Everything that changes in a run.
 #[derive(Debug, Serialize, Deserialize)]
 pub(super) struct Kept {
-    /// Of the configuration that is run.
+    /// Hash of the configuration that is run.
     pub hash: [u8; 32],
     pub attempt: Attempt,
     pub state: RunState,
     pub wall: Wall,
-    /// What the observer of the scene remembers.
+    /// The memory of the scene's observer.
     pub watch: Vec<u8>,
 }
 
 impl Kept {
-    /// The state that a monitor has of an earlier run of this case.
+    /// The state that a monitor has from an earlier run of this case.
     pub fn of(case: &CaseConfig, monitor: &dyn Monitor) -> Option<Kept> {
         let keeper = monitor.keeper()?;
         let bytes = keeper.last()?;
@@ -75,7 +75,7 @@ impl Kept {
     }
 }
 
-/// Names a configuration.
+/// The hash of a configuration.
 pub(super) fn hash(config: &CaseConfig) -> [u8; 32] {
     let text = serde_json::to_vec(&config.without_error_bars());
     Sha256::digest(text.expect("a configuration always serialises")).into()

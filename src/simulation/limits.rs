@@ -1,4 +1,4 @@
-//! How much a case may take. Limits are no part of what a case is: they decide whether it ends, never how.
+//! Limits of a case. They are not part of its identity: they decide whether it ends, never how.
 
 use std::time::Duration;
 
@@ -6,35 +6,35 @@ use serde::{Deserialize, Serialize};
 
 use crate::math::words::counted;
 
-/// What no case may take more of; nothing is limited by default.
+/// Limits of a case; by default there are none.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Limits {
-    /// Time steps, from rest on.
+    /// Time steps, from the start.
     pub steps: Option<u64>,
-    /// Seconds of the clock on the wall, from where a rank takes the case or its trunk up.
+    /// Seconds of wall-clock time, from when a rank starts the case or its trunk.
     pub wall_time_s: Option<f64>,
-    /// Mebibytes of memory, of a process with nothing but this case.
+    /// Mebibytes of memory of a process with only this case.
     pub memory_mib: Option<f64>,
 }
 
-/// Bytes.
+/// In bytes.
 const MEBIBYTE: f64 = (1 << 20) as f64;
 
 impl Limits {
-    /// What is wrong with so many steps.
+    /// The message if this many steps are over the limit.
     pub fn on_steps(&self, steps: u64) -> Option<String> {
         let limit = self.steps.filter(|&limit| steps > limit)?;
         let steps = counted(usize::try_from(limit).unwrap_or(usize::MAX), "step");
         Some(format!("needs more than {steps} (limits.steps)"))
     }
 
-    /// What is wrong with taking so long.
+    /// The message if this much time is over the limit.
     pub fn on_time(&self, spent: Duration) -> Option<String> {
         let limit = self.wall_time_s.filter(|&limit| spent.as_secs_f64() > limit)?;
         Some(format!("takes more than {limit} s (limits.wall_time_s)"))
     }
 
-    /// What is wrong with so many bytes, used or estimated.
+    /// The message if this many bytes, used or estimated, are over the limit.
     pub fn on_memory(&self, bytes: u64, how: &str) -> Option<String> {
         let (used, limit) = (bytes as f64 / MEBIBYTE, self.memory_mib?);
         let told = || format!("{how} {used:.1} MiB, more than {limit} (limits.memory_mib)");

@@ -1,4 +1,4 @@
-//! What a run has noted down so far.
+//! All records of a run so far.
 
 use serde::{Deserialize, Serialize};
 
@@ -22,43 +22,43 @@ use super::waves::Waves;
 use crate::body::Place;
 use crate::scene::{CaseConfig, Frame, Tank};
 
-/// Room is made beforehand for so many samples at most.
+/// Memory is reserved for at most this many samples.
 const MOST_ROOM: usize = 100_000;
-/// The fewest looks at the wall's face between two at the energy.
+/// The least number of looks at the wall's face between two checks of the energy.
 const LOOK_EVERY: usize = 4;
 
-/// All that a run keeps of what it has seen; a branch takes over that of its trunk.
+/// The records of a run. A branch starts with those of its trunk.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Logbook {
     pub(super) measures: Measures,
-    /// What is heard of the water's compression, where the force without it can be told.
+    /// The effect of the water's compression on the force, if it can be found.
     pub(super) sound: Option<Sound>,
     pub(super) gauge: CrestGauge,
     pub(super) ledger: Ledger,
     pub(super) history: Vec<HistoryRow>,
-    /// The force on the wall at first, N per metre of width.
+    /// The first force on the wall, N per metre of width.
     pub(super) force_at_rest: Option<f64>,
-    /// How much more than the paddle it pressed the wall at first, over ρgh²/2.
+    /// The first force on the wall less that on the paddle, over ρgh²/2.
     pub(super) lopsided: Option<f64>,
-    /// Where the water stands at the wall.
+    /// The level of the water at the wall.
     pub(super) level: WallLevel,
     /// Largest difference between the force and the pressure on the wall's face, percent of the force.
     pub(super) worst_gap: f64,
     /// That difference at every sample.
     pub(super) face_gaps: FaceGaps,
-    /// What came from nowhere, at every look.
+    /// Energy that came from nowhere, at every check.
     pub(super) found: Found,
     pub(super) health: HealthState,
     pub(super) liveliness: Liveliness,
     pub(super) probes: Option<ProbeTable>,
-    /// What goes over the wall, where it has a crest.
+    /// Water that goes over the wall, if it has a crest.
     pub(super) overtopping: Option<Overtopping>,
-    /// What the paddle does about waves that come back, where it absorbs them.
+    /// The paddle's response to waves that come back, if it absorbs them.
     pub(super) absorption: Option<Absorption>,
 }
 
 impl Logbook {
-    /// An empty one, for water that has this energy to start with.
+    /// An empty logbook for water that starts with this energy.
     pub fn open(config: &CaseConfig, tank: &Tank, start: WaterEnergy) -> Logbook {
         let frame = tank.frame;
         let crest = tank.water.walls().crest.as_ref();
@@ -98,7 +98,7 @@ impl Logbook {
         }
     }
 
-    /// Makes room for all samples and looks, within reason, so that none takes memory of its own.
+    /// Reserves memory for all samples and looks, within limits, so that none allocates on its own.
     pub fn make_room(&mut self, frame: &Frame) {
         let count = |interval: f64| ((frame.end_time / interval) as usize).saturating_add(2);
         let all = count(frame.history_interval);

@@ -1,9 +1,9 @@
-//! When something that changes fast is looked at between the samples of the history.
+//! When quantities that change fast are read between the samples of the history.
 
 use serde::{Deserialize, Serialize};
 
-/// Looks come at least so often, over √(h/g): every 0.005 s at h = 0.2 m. Readings a fiftieth of a second
-/// apart would cut a crest off.
+/// Largest time between two looks, over √(h/g): 0.005 s at h = 0.2 m. Readings at a distance of
+/// 0.02 s would cut a crest off.
 const INTERVAL: f64 = 0.036;
 
 /// The looks so far.
@@ -11,8 +11,8 @@ const INTERVAL: f64 = 0.036;
 pub(super) struct Looks(u64);
 
 impl Looks {
-    /// Whether to look now: at the history's interval (s), or at its own, `unit` = √(h/g) in s, where that is
-    /// shorter; from `start` on, s. If so it is taken as done.
+    /// Whether to look now; if so, the look counts as done. Looks come at the history's interval
+    /// (s), or at their own if that is shorter; `unit` is √(h/g) in s. They begin at `start`, s.
     pub fn is_due(&mut self, time: f64, start: f64, intervals: (f64, f64)) -> bool {
         let is_due = self.comes(time, start, intervals);
         if is_due {
@@ -22,7 +22,7 @@ impl Looks {
         is_due
     }
 
-    /// Whether to look now; nothing is taken as done.
+    /// Whether to look now; the look does not count as done.
     pub fn comes(&self, time: f64, start: f64, intervals: (f64, f64)) -> bool {
         time >= self.due(start, intervals)
     }
@@ -32,24 +32,24 @@ impl Looks {
         start + Looks::interval(intervals) * self.0 as f64 * (1.0 - 1e-12)
     }
 
-    /// Between two looks, s.
+    /// Time between two looks, s.
     pub fn interval((history_interval, unit): (f64, f64)) -> f64 {
         history_interval.min(INTERVAL * unit)
     }
 
-    /// Of every so many looks this was the last.
+    /// Whether the number of looks is a multiple of this.
     pub fn complete(&self, many: u64) -> bool {
         self.0.is_multiple_of(many)
     }
 }
 
-/// How many intervals have surely gone by in a time, s.
+/// How many intervals have certainly passed in a time, s.
 pub(super) fn passed(time: f64, interval: f64) -> u64 {
     ((time / interval) as u64).saturating_sub(1)
 }
 
-/// The first count behind `count` that is not past. Those up to `least` are: a clock may begin long after 0, and
-/// intervals may be far shorter than steps.
+/// The first count after `count` that is not in the past. Counts up to `least` are skipped: a clock
+/// may begin long after 0, and intervals may be far shorter than steps.
 pub(super) fn next(count: u64, least: u64, is_past: impl Fn(u64) -> bool) -> u64 {
     let mut next = count.saturating_add(1).max(least);
     while next < u64::MAX && is_past(next) {
@@ -71,7 +71,7 @@ mod tests {
                 let next = looks;
                 if looks.is_due(time, 0.0, (0.01, 1.0)) {
                     seen += 1;
-                    // The first that is not past.
+                    // The first look that is not in the past.
                     let before = Looks(looks.0 - 1);
                     assert!(looks.due(0.0, (0.01, 1.0)) > time && next.0 < looks.0);
                     assert!(before.due(0.0, (0.01, 1.0)) <= time || next.0 + 1 == looks.0);

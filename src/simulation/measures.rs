@@ -1,4 +1,4 @@
-//! Maxima of a run, of its first impact and of its first peak, gathered step by step.
+//! Maxima of a run, of its first impact and of its first peak, found step by step.
 
 use serde::{Deserialize, Serialize};
 
@@ -19,21 +19,21 @@ pub(super) const MEAN_SPAN: f64 = 0.07;
 pub struct Measures {
     quiet: QuietForce,
     travel: QuietTravel,
-    /// Whether sound is taken off.
+    /// Whether the effect of sound is removed.
     listens: bool,
     /// The first impact.
     pub first: FirstImpact,
     /// Hits on the stop.
     pub blows: Blows,
-    /// Over the whole run: F* (running mean without sound), R*, X*.
+    /// Largest F* of the whole run (running mean without sound).
     pub force: Option<Maximum>,
     /// R*.
     pub runup: Option<Maximum>,
     /// X*.
     pub displacement: Option<Maximum>,
-    /// Whether that X* was on a way out that began in the sound of a blow.
+    /// Whether the wall left its stop in the sound of an impact before that X*.
     pub kicked: bool,
-    /// Largest F* of a single step in which no blow can be heard.
+    /// Largest F* of a single step in which no impact can be heard.
     pub force_raw: Option<f64>,
     /// The last reading's F*, R*, X*.
     pub last: [f64; 3],
@@ -46,8 +46,9 @@ pub struct Measures {
 }
 
 impl Measures {
-    /// For the F* above which the wall gives way and that below which an impact is over, the scales of the
-    /// water, and so many points on the wall's face. The water's compression is told once in `turn` seconds, if at all.
+    /// `thresholds` are the F* above which the wall moves and that below which an impact is over.
+    /// `points` is the number of points on the wall's face. If there is a `turn`, the water's
+    /// compression comes once in `turn` seconds.
     pub fn new(
         thresholds: [f64; 2],
         acoustics: Acoustics,
@@ -73,8 +74,8 @@ impl Measures {
         }
     }
 
-    /// Takes one step's readings, the water's compression where a turn of steps has ended, and what holds
-    /// the wall. What a blow on the stop drowns of the force counts for nothing.
+    /// Takes one step's readings, the water's compression at the end of a turn of steps, and the
+    /// wall's mount. Forces in the sound of an impact on the stop do not count.
     pub fn push(
         &mut self,
         reading: Reading,
@@ -124,7 +125,7 @@ impl Measures {
         }
     }
 
-    /// Takes the wall's displacements until then, s, while sound pushes it like this.
+    /// Takes the wall's displacements until this time, s; `sound` is the push of sound until then.
     fn follow(&mut self, until: f64, sound: Push, mount: Option<Mount>) {
         while let Some((at, displacement)) = self.travel.next(until, sound, mount) {
             let before = self.displacement;
@@ -136,7 +137,7 @@ impl Measures {
         }
     }
 
-    /// Takes note that no reading follows.
+    /// No more readings follow.
     pub fn finish(&mut self, mount: Option<Mount>) {
         let mut rest = Vec::new();
         self.quiet.finish(|quiet| rest.push(quiet));
@@ -144,8 +145,8 @@ impl Measures {
         self.follow(f64::INFINITY, Push::default(), mount);
     }
 
-    /// Takes the moment about the wall's foot, over ρgh³/6, and the pressures along its face, Pa, of the
-    /// last step's reading.
+    /// Takes the moment about the wall's foot, over ρgh³/6, and the pressures along its face, Pa,
+    /// of the last step.
     pub fn press(&mut self, time: f64, moment: f64, pressures: &[f64]) {
         if self.blows.drown(time) {
             self.pressed.interrupt();
@@ -154,8 +155,8 @@ impl Measures {
         }
     }
 
-    /// Takes note that the wall hits its stop in the step of the last reading: it begins at `time`,
-    /// lasts `dt`, s, and the wall comes with `speed`, m/s.
+    /// Records that the wall hits its stop in the step of the last reading. The step begins at
+    /// `time` and lasts `dt`, s; the wall's speed is `speed`, m/s.
     pub fn hit(&mut self, time: f64, dt: f64, speed: f64) {
         let farthest = self.displacement.map_or(0.0, |farthest| farthest.value);
         self.blows.hit(Hit { time_s: time, dt, speed, runup: self.last[1] }, farthest);

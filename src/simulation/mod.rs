@@ -1,4 +1,4 @@
-//! One case from start to end: [`run_case`], or its shared first stretch: [`run_trunk`].
+//! One case from start to end: [`run_case`]; or the part that it shares with others: [`run_trunk`].
 
 mod absorption;
 mod blows;
@@ -69,11 +69,11 @@ use run::Run;
 
 /// Watches a run and may end it.
 pub trait Monitor: Sync {
-    /// Another one that answers in its place, but for films and keeping.
+    /// Another monitor that answers in its place, except for films and stored states.
     fn inner(&self) -> Option<&dyn Monitor> {
         None
     }
-    /// How often [`Monitor::film`] is called, seconds of simulated time; never by default.
+    /// Interval of calls to [`Monitor::film`], seconds of simulated time; none by default.
     fn film_interval(&self) -> Option<f64> {
         None
     }
@@ -81,10 +81,10 @@ pub trait Monitor: Sync {
     fn films_faces(&self) -> bool {
         false
     }
-    /// Called at the first step at or after every such time, and at the end.
+    /// Called at the first step at or after each such time, and at the end.
     fn film(&self, _film: &Film<'_>) {}
-    /// Called now and then with the simulated time that is reached, seconds. While the water comes to rest it is before
-    /// the start.
+    /// Called from time to time with the simulated time reached, seconds. While the water comes to
+    /// rest, this is before the start.
     fn reached(&self, time_s: f64) {
         if let Some(inner) = self.inner() {
             inner.reached(time_s);
@@ -94,33 +94,32 @@ pub trait Monitor: Sync {
     fn cancelled(&self) -> bool {
         self.inner().is_some_and(|inner| inner.cancelled())
     }
-    /// What is wrong with a run that has come to this step, where it takes more than it may. Asked at every
-    /// step.
+    /// The message for a run that takes more than it may by this step. Asked at every step.
     fn over_limit(&self, steps: u64) -> Option<String> {
         self.inner()?.over_limit(steps)
     }
-    /// What [`Monitor::over_limit`] holds the run against.
+    /// The limits for [`Monitor::over_limit`].
     fn limits(&self) -> Limits {
         self.inner().map_or_else(Limits::default, |inner| inner.limits())
     }
-    /// Who keeps the run's state; nobody by default.
+    /// Stores the run's state; none by default.
     fn keeper(&self) -> Option<&dyn Keeper> {
         None
     }
 }
 
-/// The water at an instant, for whoever wants to look at it.
+/// The water at an instant, for display.
 #[derive(Debug, Clone, Copy)]
 pub struct Film<'a> {
     /// Simulated time, seconds.
     pub time_s: f64,
-    /// Where the left and the right wall are, metres from rest.
+    /// Positions of the left and the right wall, metres from rest.
     pub walls: [f64; 2],
     /// The particles.
     pub fluid: &'a Fluid,
     /// Their pressures, Pa.
     pub pressure: &'a [f64],
-    /// The faces that hold the water; empty unless they are wanted.
+    /// The faces of the walls; empty unless they are wanted.
     pub faces: &'a [Face],
 }
 
@@ -136,12 +135,12 @@ enum Start<'a> {
     Kept(Box<Kept>),
 }
 
-/// Runs a case to its end, from rest, from its trunk's checkpoint, or from the state that its monitor
-/// has kept: the same bits either way. Where it becomes unstable, up to `retries` further attempts from
-/// rest follow, each with half the time step of the last; the outcome says so.
+/// Runs a case to its end. It starts from rest, from its trunk's checkpoint, or from the state that
+/// its monitor has stored; the bits are the same. If it becomes unstable, up to `retries` further
+/// attempts from rest follow, each with half the time step of the last. The outcome then says so.
 ///
 /// # Errors
-/// The reason for which the last attempt failed, or that it was interrupted.
+/// The failure of the last attempt, or an interruption.
 pub fn run_case(
     config: &CaseConfig,
     checkpoint: Option<&[u8]>,
@@ -187,7 +186,8 @@ pub fn run_case(
 }
 
 /// Runs a trunk ([`CaseConfig::trunk`]) to the last step before the force first exceeds the
-/// threshold, or before a run could end early; from rest, or from the state that its monitor has kept.
+/// threshold, or before a run could end early. It starts from rest, or from the state that its
+/// monitor has stored.
 pub fn run_trunk(
     config: &CaseConfig,
     resources: impl Into<Resources>,

@@ -1,4 +1,4 @@
-//! What a case tells besides its summary: values of gauges over time, and single readings.
+//! Results of a case besides its summary: values of gauges over time, and single readings.
 
 use serde::{Deserialize, Serialize};
 
@@ -49,12 +49,12 @@ impl NamedReading {
     }
 }
 
-/// Readings in the order in which they are told.
+/// Readings in their order in the file.
 #[derive(Debug, Default)]
 pub(super) struct Readings(pub(super) Vec<NamedReading>);
 
 impl Readings {
-    /// Tells one, where there is a value.
+    /// Adds a reading if there is a value.
     pub(super) fn tell(&mut self, name: &str, value: impl Into<Option<f64>>, unit: &str) {
         self.0.extend(value.into().map(|value| NamedReading::new(name, value, unit)));
     }

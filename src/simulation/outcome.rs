@@ -1,4 +1,4 @@
-//! What one case yields: the scalars of `summary.csv` and the sampled histories.
+//! The results of one case: the scalars of `summary.csv` and the sampled histories.
 
 use serde::{Deserialize, Serialize};
 
@@ -24,13 +24,13 @@ impl Maximum {
     }
 }
 
-/// Non-dimensional results of one finished case: F* = F/(ρ g h²/2), R* = runup/h, X* = X/h.
+/// Non-dimensional results of a finished case: F* = F/(ρ g h²/2), R* = runup/h, X* = X/h.
 ///
-/// `None` where the scene has no such quantity (a fixed wall has no displacement; still water has
-/// no wave height; a wave that never loads the wall has no first impact).
+/// `None` if the scene has no such quantity: a fixed wall has no displacement, still water has no
+/// wave height, a wave that never loads the wall has no first impact.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Outcome {
-    /// Crest height over still water passing the wave gauge, over h.
+    /// Height over still water of the crest at the wave gauge, over h.
     pub measured_wave_height_ratio: Option<f64>,
     /// Largest F*, of the centred running mean over 0.07 √(h/g).
     pub force_max: Maximum,
@@ -48,9 +48,10 @@ pub struct Outcome {
     pub first_force_peak: Option<f64>,
     /// R* of the first peak, likewise.
     pub first_runup_peak: Option<f64>,
-    /// Largest F* of any single step, but for those in which the sound of a stop can be heard.
+    /// Largest F* of any single step in which the sound of a stop cannot be heard.
     pub force_max_raw: f64,
-    /// The water's own force on the wall at rest, over ρgh²/2: what `force` columns are made up by.
+    /// The water's own force on the wall at rest, over ρgh²/2. The `force` columns are corrected by
+    /// its difference from 1.
     #[serde(default)]
     pub force_at_rest: f64,
     /// F* at the end of the run.
@@ -63,18 +64,18 @@ pub struct Outcome {
     pub onset_time_s: Option<f64>,
     /// Goring's T/2: the instant at which the paddle passes the middle of its stroke.
     pub stroke_centre_s: Option<f64>,
-    /// The wall was still moving outwards at the end: its maximum is a lower bound.
+    /// Whether the wall was still moving outwards at the end, so that its maximum is a lower bound.
     pub displacement_truncated: Option<bool>,
     /// How often the wall came back onto its stop.
     pub stops: Option<u32>,
-    /// Strongest impulse of the water on the wall by a stop, over ½ρgh² √(h/g): negative, as the water
-    /// goes on when the wall stops. Zero where it never did.
+    /// Strongest impulse of the water on the wall at a stop, over ½ρgh² √(h/g). It is negative,
+    /// because the water goes on when the wall stops. Zero if the wall never stopped.
     #[serde(default)]
     pub stop_impulse: Option<Maximum>,
     /// Largest moment about the wall's foot (running mean), over ρgh³/6.
     #[serde(default)]
     pub moment_max: Option<Maximum>,
-    /// That of the first impact.
+    /// The same for the first impact.
     #[serde(default)]
     pub first_moment_max: Option<Maximum>,
     /// ∫ (F* - 1) dt of the running mean over the first impact, over √(h/g).
@@ -85,24 +86,24 @@ pub struct Outcome {
     pub rise_time_s: Option<f64>,
     /// Largest gap between the momentum reaction and the face integral, percent of the force.
     pub force_gap_percent: f64,
-    /// That gap, signed, at `force_max`: of the means over 0.14 √(h/g), less what it is at rest.
+    /// That gap, signed, at `force_max`: of the means over 0.14 √(h/g), less the gap at rest.
     #[serde(default)]
     pub force_max_gap_percent: f64,
-    /// Residual of the energy budget, percent of the most that the paddle's work has been (of the water's
-    /// initial energy scale where the paddle does none).
+    /// Residual of the energy budget, percent of the largest paddle work so far. If the paddle does
+    /// no work, it is percent of the water's initial energy scale.
     pub energy_gap_percent: f64,
     /// Particles that left the tank.
     pub particles_lost: u32,
-    /// What went over the wall's crest; none where it has none.
+    /// Water that went over the wall's crest; none without a crest.
     #[serde(default)]
     pub overtopped: Option<Overtopped>,
-    /// How close the run came to the bounds of health.
+    /// How close the run came to its health bounds.
     #[serde(default)]
     pub health: HealthMargins,
-    /// Why a quoted number is to be looked at closely; `None` where nothing touches one.
+    /// Why a quoted number is doubtful; `None` if none is.
     #[serde(default, deserialize_with = "super::doubt_reasons::read")]
     pub doubtful_reason: Option<String>,
-    /// Where a first attempt failed and smaller time steps helped: what happened.
+    /// What happened, if a first attempt failed and smaller time steps helped.
     #[serde(default)]
     pub recovered: Option<String>,
     /// Steps taken, the trunk's included.
@@ -111,8 +112,8 @@ pub struct Outcome {
     pub particles: u32,
     /// Pair interactions evaluated, the trunk's included.
     pub pair_evaluations: u64,
-    /// How many times a ghost was filled with what a simpler interpolation than the chosen one
-    /// gave, the trunk's included.
+    /// How many times a ghost was filled by a simpler interpolation than the chosen one, the
+    /// trunk's included.
     #[serde(default)]
     pub boundary_fallbacks: u64,
 }
@@ -158,7 +159,8 @@ pub struct EnergyBudget {
     pub wall_kinetic: f64,
     /// ½ k X² of the spring at the end.
     pub spring: f64,
-    /// ∫ [F - s·max(F - F_th, 0)] V dt: what the threshold device (and a coupling s ≠ 1) absorbs.
+    /// ∫ [F - s·max(F - F_th, 0)] V dt: energy that the threshold device (and a coupling s ≠ 1)
+    /// absorbs.
     pub threshold_device: f64,
     /// Kinetic energy lost when the wall hits its stop.
     pub stops: f64,
@@ -166,14 +168,15 @@ pub struct EnergyBudget {
     pub viscous: f64,
     /// Dissipated by density diffusion.
     pub density_diffusion: f64,
-    /// Taken out by particle shifting, by what keeps the volume, and by the pressure of incompressible water that meets.
+    /// Taken out by particle shifting, by the volume's correction, and by the pressure of
+    /// incompressible water where it meets.
     pub shifting: f64,
-    /// What the water had that went over a crest and was taken away.
+    /// Energy of water that went over a crest and was taken away.
     #[serde(default)]
     pub outflow: f64,
 }
 
-/// What went over a crest, per metre of width.
+/// Water that went over a crest, per metre of width.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Overtopped {
     /// Water behind the crest's back at the end, m².
@@ -182,11 +185,11 @@ pub struct Overtopped {
     pub discharge_max_m2_per_s: f64,
     /// Thickest water on the crest, m.
     pub thickness_max_m: f64,
-    /// Fastest water on the crest, m/s; none where it was too thin to tell.
+    /// Fastest water on the crest, m/s; none if it was too thin to have one.
     pub speed_max_m_per_s: Option<f64>,
 }
 
-/// Share of the run's time spent in a phase, for the human eye: never part of an identity.
+/// Time that a run spent in a phase, for display: never part of an identity.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PhaseShare {
     /// Name of the phase.
@@ -195,31 +198,31 @@ pub struct PhaseShare {
     pub seconds: f64,
 }
 
-/// Everything that one finished case hands to the sweep.
+/// All results of a finished case, as the sweep takes them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CaseResult {
     /// The scalars of the summary.
     pub outcome: Outcome,
     /// Histories, every 0.005 s by default.
     pub history: Vec<HistoryRow>,
-    /// Largest pressures up the wall, where there is one that got wet.
+    /// Largest pressures up the wall, as far as it got wet.
     pub envelope: Vec<EnvelopeRow>,
     /// Each whole period of regular waves.
     pub waves: Vec<WaveRow>,
     /// Gauges, where the scene has any.
     pub probes: Option<ProbeTable>,
-    /// What else the scene tells: of its probes, of a collapsing column.
+    /// Other results of the scene: of its probes, of a collapsing column.
     pub readings: Vec<NamedReading>,
     /// The energy budget.
     pub energy: EnergyBudget,
-    /// Where the time went.
+    /// The time of each phase.
     pub phases: Vec<PhaseShare>,
-    /// How many times neighbours were listed.
+    /// How many times neighbours were listed again.
     pub list_rebuilds: u64,
 }
 
-/// A finished trunk: the state at the last step before the force first exceeds the threshold (or
-/// at the end, where it never does), ready for [`super::run_case`] to branch from.
+/// A finished trunk: the state at the last step before the force first exceeds the threshold, or at
+/// the end if it never does. [`super::run_case`] branches from it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct TrunkResult {
     /// Opaque bytes of the checkpoint.

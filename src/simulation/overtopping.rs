@@ -1,4 +1,4 @@
-//! Water that goes over the crest of a wall: how much, how thick, how fast.
+//! Water that goes over the crest of a wall: its volume, thickness and speed.
 
 use serde::{Deserialize, Serialize};
 
@@ -10,42 +10,42 @@ use crate::pairs::Fluid;
 use crate::scene::{CREST_COLUMNS, Tank};
 use crate::scheme::Scheme;
 
-/// The crest is looked at in columns of so many particle spacings.
+/// Width of a column on the crest, in particle spacings.
 const COLUMN: f64 = 3.0;
-/// Water counts as gone over by and by, on a way of so many particle spacings around the back.
+/// Water counts as gone over gradually, along this many particle spacings around the back.
 const WAY: f64 = 5.0;
-/// A column has a speed once it holds so many particles' worth of water.
+/// A column has a speed if it holds the water of at least this many particles.
 const FEWEST: f64 = 3.0;
 
-/// What is on the crest and behind it at an instant, per metre of width.
+/// Water on the crest and behind it at an instant, per metre of width.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Sight {
-    /// Water behind the back so far, more than at the start, m².
+    /// Water behind the back, less that at the start, m².
     pub volume: f64,
-    /// Water beyond the back, that near it in part: see [`passed`], m².
+    /// Water beyond the back, m². Water near the back counts in part: see [`passed`].
     pub beyond: f64,
-    /// By how much that has grown since the last look, m²/s.
+    /// Growth of `beyond` since the last look, m²/s.
     pub discharge: f64,
     /// Of the fullest column, m.
     pub thickness: f64,
-    /// Of the fastest column, m/s; none where no column has one.
+    /// Of the fastest column, m/s; none if no column has a speed.
     pub speed: Option<f64>,
 }
 
-/// Follows what goes over.
+/// Follows the water that goes over.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Overtopping {
     /// Mass of all water at the start, kg per metre of width.
     start_mass: f64,
     looks: Looks,
-    /// When the last look was, s.
+    /// Time of the last look, s.
     looked: Option<f64>,
     last: Sight,
     most: Sight,
 }
 
 impl Overtopping {
-    /// Nothing has gone over yet.
+    /// No water has gone over yet.
     pub fn open(fluid: &Fluid) -> Overtopping {
         let (looks, looked, last, most) = Default::default();
         Overtopping { start_mass: mass(fluid), looks, looked, last, most }
@@ -66,17 +66,17 @@ impl Overtopping {
         most.volume = last.volume;
         most.discharge = most.discharge.max(last.discharge);
         most.thickness = most.thickness.max(last.thickness);
-        // None is less than any speed.
+        // `None` is less than any speed.
         most.speed = if last.speed > most.speed { last.speed } else { most.speed };
     }
 
-    /// What the last look told, in the order of [`columns`].
+    /// The results of the last look, in the order of [`columns`].
     pub fn values(&self) -> [f64; 4] {
         let Sight { volume, discharge, thickness, speed, .. } = self.last;
         [volume, discharge, thickness, speed.unwrap_or(0.0)]
     }
 
-    /// What has gone over by now.
+    /// The water that has gone over by now.
     pub fn overtopped(&self) -> Overtopped {
         let Sight { volume, discharge, thickness, speed, .. } = self.most;
         Overtopped {
@@ -126,24 +126,26 @@ fn mass(fluid: &Fluid) -> f64 {
     fluid.mass.iter().sum()
 }
 
-/// Where columns of this width begin that cover the crest; the first at its front, the last one ends at its back.
-/// They overlap where no whole number of them fills it, so that nothing jumps where a column is added.
+/// Beginnings of columns of this width that cover the crest. The first begins at its front, the
+/// last ends at its back. They overlap if no whole number of them fits, so that nothing jumps where
+/// a column is added.
 fn beginnings([front, back]: [f64; 2], width: f64) -> impl Iterator<Item = f64> {
     let room = back - front - width;
     let steps = (room / width - 1e-9).ceil().max(0.0);
     (0..=steps as usize).map(move |k| if k == 0 { front } else { front + room * k as f64 / steps })
 }
 
-/// How much of a particle counts as gone over, half a way before the back nothing, half a way behind it all.
+/// The share of a particle that counts as gone over: none half a `WAY` before the back, all half a
+/// `WAY` behind it.
 ///
-/// Its slope is (15/8) (1 - (2 at)²)². Rows of particles that go by at any distance give it a steady sum. Those of a
-/// share that grows evenly rise and fall by up to a third.
+/// Its slope is (15/8) (1 - (2 at)²)². With it, rows of particles at any distance give a steady
+/// sum. With a share that grows linearly, the sum would rise and fall by up to a third.
 fn passed(at: f64) -> f64 {
     let part = (at + 0.5).clamp(0.0, 1.0);
     part * part * part * (part * (6.0 * part - 15.0) + 10.0)
 }
 
-/// What there is at an instant; its discharge takes two.
+/// The water at an instant. The discharge needs two instants.
 fn sight(tank: &Tank, crest: &Crest) -> Sight {
     let (water, spacing, density) = (tank.water.as_ref(), tank.spacing, tank.frame.density);
     let [front, back] = crest.ends;
@@ -156,7 +158,7 @@ fn sight(tank: &Tank, crest: &Crest) -> Sight {
     for k in (0..fluid.len()).filter(|&k| fluid.x[k] > front) {
         let mut past = fluid.x[k] - back;
         if past > 0.0 {
-            // Water that trickles down the back has gone over, and is taken away from there.
+            // Water that flows down the back has gone over, and is taken away there.
             past += (crest.height - fluid.y[k]).max(0.0);
         }
         beyond += fluid.mass[k] * passed(past / way);
@@ -175,7 +177,7 @@ fn sight(tank: &Tank, crest: &Crest) -> Sight {
             })
         })
         .collect();
-    // Particles weigh a little less than a row has room for.
+    // Half a particle less, because particles weigh a little less than their cell.
     let fewest = (FEWEST - 0.5) * density * spacing * spacing;
     let moving = columns.iter().filter(|[mass, _]| *mass > fewest);
     Sight {
@@ -191,7 +193,8 @@ fn sight(tank: &Tank, crest: &Crest) -> Sight {
 mod tests {
     use super::*;
 
-    /// The largest discharge of a steady stream was a fifth too high at sixteen rows, as whole columns of particles came and went.
+    /// The largest discharge of a steady stream was once a fifth too high at sixteen rows, as whole
+    /// columns of particles came and went.
     #[test]
     fn columns_of_particles_go_by_as_a_steady_stream() {
         for apart in [0.8, 1.0, 1.13, 1.3] {

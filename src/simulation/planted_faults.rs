@@ -1,11 +1,11 @@
-//! Faults planted where no scene file can: what doubt makes of them.
+//! Faults that no scene file can cause, and the doubt that they must raise.
 
 use super::{CaseResult, Stopped, Unwatched, run_case};
 use crate::boundary::MISSING_ROW;
 use crate::math::simd::SimdPath;
 use crate::scene::CaseConfig;
 
-/// A soft wall under a wave of H/h = 0.3, the ghosts behind it without one of their five rows.
+/// A soft wall under a wave of H/h = 0.3. One of the five rows of ghosts behind it may be missing.
 fn without_row(row: Option<i64>) -> Result<CaseResult, Stopped> {
     let scene = "wall = \"movable\"\nwave_height_ratio = 0.3\n\
         spring_stiffness_n_per_m = 10\nseawall_mass_kg_per_m = 100";
@@ -16,8 +16,8 @@ fn without_row(row: Option<i64>) -> Result<CaseResult, Stopped> {
     result
 }
 
-/// The outermost row is out of reach of particles half a spacing from the wall: without it nothing
-/// that is quoted moves. Each of the others is missed, or ends the run.
+/// The outermost row is out of reach of particles half a spacing from the wall. Without it no
+/// quoted number changes. Each other missing row is noticed or ends the run.
 #[test]
 fn a_missing_row_of_ghosts_is_caught_where_it_moves_a_number() {
     let sound = without_row(None).unwrap().outcome;

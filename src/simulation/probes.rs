@@ -6,7 +6,7 @@ use super::sounding::Sounding;
 use crate::body::Place;
 use crate::scene::{CaseConfig, Probe, ProbeKind, Side};
 
-/// A column for every probe of a case, and those of its crest where it has one.
+/// A column for every probe of a case, and those of its crest if it has one.
 pub fn probe_columns(config: &CaseConfig) -> Vec<ProbeColumn> {
     let of_probe = |probe: &Probe| ProbeColumn {
         name: probe.name.clone(),
@@ -18,14 +18,14 @@ pub fn probe_columns(config: &CaseConfig) -> Vec<ProbeColumn> {
     config.probes.iter().map(of_probe).chain(of_crest.into_iter().flatten()).collect()
 }
 
-/// An empty table of them; none without a column.
+/// An empty table with these columns; none without a column.
 pub(super) fn table(config: &CaseConfig) -> Option<ProbeTable> {
     let columns = probe_columns(config);
     (!columns.is_empty()).then(|| ProbeTable { columns, ..ProbeTable::default() })
 }
 
-/// A reading of each probe over still water of this depth, metres; levels and voids are looked for up to
-/// four times as high.
+/// A reading of each probe over still water of this depth, metres. Levels and voids are searched up
+/// to four times that height.
 pub(super) fn read(
     probes: &[Probe],
     water: &mut Sounding<'_>,
@@ -45,7 +45,7 @@ pub(super) fn read(
     })
 }
 
-/// Where a pressure probe is now, and the direction in which its disc lies.
+/// The present place of a pressure probe, and the direction of its disc.
 fn place(probe: &Probe, water: &Sounding<'_>) -> ([f64; 2], [f64; 2]) {
     let y = probe.y_m.unwrap_or(0.0);
     if probe.wall.is_none() {
@@ -55,7 +55,7 @@ fn place(probe: &Probe, water: &Sounding<'_>) -> ([f64; 2], [f64; 2]) {
     ([toe + up[0] * (y - foot) / up[1], y], up)
 }
 
-/// The wall that a probe sits in: where its face meets the bed, metres, and the direction up the
+/// The wall of a probe: the point where its face meets the bed, metres, and the direction up the
 /// face.
 fn face(probe: &Probe, water: &Sounding<'_>) -> ([f64; 2], [f64; 2]) {
     let face = water.face(match probe.wall {

@@ -1,4 +1,4 @@
-//! The force as it counts for maxima: a centred running mean, without what the sound of the water adds.
+//! The force for maxima: a centred running mean without the effect of sound.
 
 use std::collections::VecDeque;
 
@@ -6,15 +6,16 @@ use serde::{Deserialize, Serialize};
 
 use super::sound::Compression;
 
-/// The slope of the compression is that of a line through the turns of so many mean spans to both sides.
+/// The slope of the compression is that of a line through the turns within this many mean spans on
+/// both sides ...
 const SIDE: f64 = 3.0;
-/// And of so many turns at least, to both sides.
+/// ... and within at least this many turns on both sides.
 const SIDE_TURNS: f64 = 1.5;
-/// A wall that swings hears the slope of a shorter line: so many mean spans ...
+/// For a wall that swings, the line is shorter: this many mean spans ...
 const SWIFT_SIDE: f64 = 1.0;
-/// ... and so many turns at least, but no longer than the other.
+/// ... and at least this many turns, but no longer than the other.
 const SWIFT_TURNS: f64 = 2.5;
-/// Room from the start for so many samples.
+/// Memory reserved for this many samples.
 const ROOM: usize = 256;
 
 /// A force without its sound.
@@ -22,30 +23,30 @@ const ROOM: usize = 256;
 pub struct Quiet {
     /// When, s.
     pub time: f64,
-    /// The mean of the samples less the sound.
+    /// The mean of the samples without the sound.
     pub force: f64,
-    /// What the sound was.
+    /// The effect of the sound.
     pub sound: Push,
 }
 
-/// What the sound of the water does to a wall.
+/// The effect of the water's sound on a wall.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Push {
-    /// What it adds to the force.
+    /// Its force.
     pub force: f64,
-    /// The same over a shorter time, for walls that swing on their spring.
+    /// The same from a shorter time, for walls that swing on their spring.
     pub swift: f64,
-    /// In water so deep, m, where that was listened to.
+    /// Depth of the water, m, if the sound is known.
     pub depth: Option<f64>,
 }
 
-/// Keeps the last samples and tells the mean over `span` seconds around a time some way back.
+/// Keeps the last samples and gives the mean over `span` seconds around an earlier time.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct QuietForce {
     span: f64,
-    /// From the last sample back to the middle of what is told, s.
+    /// Time from the middle of that mean to the last sample, s.
     lag: f64,
-    /// To both sides of that middle, s.
+    /// Time to both sides of that middle, s.
     side: f64,
     filled: bool,
     samples: VecDeque<(f64, f64)>,
@@ -53,13 +54,13 @@ pub struct QuietForce {
 }
 
 impl QuietForce {
-    /// A mean over `span` seconds. The compression comes once in `turn` seconds; where there is none, the
-    /// water makes no sound.
+    /// A mean over `span` seconds. The compression comes once in `turn` seconds. Without a `turn`
+    /// the water makes no sound.
     pub fn new(span: f64, turn: Option<f64>) -> QuietForce {
         let side = turn.map_or(0.5 * span, |turn| (SIDE * span).max(SIDE_TURNS * turn));
         QuietForce {
             span,
-            // A turn is told when it is over.
+            // A turn is complete at its end.
             lag: side + turn.unwrap_or(0.0),
             side,
             filled: false,
@@ -68,22 +69,22 @@ impl QuietForce {
         }
     }
 
-    /// Forgets all samples: the next span has to fill anew.
+    /// Forgets all samples. The span must then fill again.
     pub fn clear(&mut self) {
         self.samples.clear();
         self.turns.clear();
         self.filled = false;
     }
 
-    /// Takes a sample, and a turn of the compression where one has ended. Returns the mean without sound,
-    /// once the span is filled.
+    /// Takes a sample, and the compression if a turn has ended. Returns the mean without sound once
+    /// the span is filled.
     pub fn push(&mut self, (time, force): (f64, f64), turn: Option<Compression>) -> Option<Quiet> {
         self.samples.push_back((time, force));
         self.turns.extend(turn);
         self.tell(time - self.lag)
     }
 
-    /// Tells what is still to be told when no sample follows.
+    /// Gives the means that are still missing when no sample follows.
     pub fn finish(&mut self, mut told: impl FnMut(Quiet)) {
         let mut last = self.samples.iter().rev().map(|&(time, _)| time);
         let (Some(newest), Some(before)) = (last.next(), last.next()) else { return };
@@ -96,7 +97,7 @@ impl QuietForce {
 
     /// The mean without sound around `middle`.
     fn tell(&mut self, middle: f64) -> Option<Quiet> {
-        // Of steps that are longer than the span there is at least one to either side.
+        // If steps are longer than the span, at least one counts on either side.
         let step = match (self.samples.front(), self.samples.get(1)) {
             (Some(first), Some(second)) => second.0 - first.0,
             _ => 0.0,
@@ -124,7 +125,8 @@ impl QuietForce {
         (count > 0.0).then(|| Quiet { time, force: sum / count - sound.force, sound })
     }
 
-    /// What sound adds to the force around `middle`; nothing where it was not listened to throughout.
+    /// The effect of sound on the force around `middle`; none if the sound is not known over the
+    /// whole time.
     fn sound(&self, middle: f64) -> Push {
         let turn = self.lag - self.side;
         let swift_side = self.side.min((SWIFT_SIDE * self.span).max(SWIFT_TURNS * turn));
@@ -134,13 +136,13 @@ impl QuietForce {
         }
     }
 
-    /// That from the turns up to `side` seconds away, and the depth of the water in them.
+    /// The effect from the turns up to `side` seconds away, and the water's depth in them.
     fn added(&self, middle: f64, side: f64) -> Option<[f64; 2]> {
         let within = side * (1.0 + 1e-9);
         let turns = || self.turns.iter().filter(|turn| (turn.time - middle).abs() <= within);
         let count = turns().count() as f64;
         let reach = turns().next_back()?.time - turns().next()?.time;
-        // Some turns are missing where they reach over little more than one side.
+        // If the turns cover little more than one side, some are missing.
         if count < 3.0 || reach < 1.25 * side {
             return None;
         }

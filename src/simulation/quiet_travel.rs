@@ -1,15 +1,17 @@
-//! The wall's displacement as it counts for maxima: without what the sound of the water adds.
+//! The wall's displacement for maxima: without the effect of the water's sound.
 //!
-//! Sound ([`super::sound`]) pushes a wall as any force does. To first order it moves the wall by x:
+//! Sound ([`super::sound`]) pushes a wall as any force does. To first order the displacement x is:
 //! ```text
 //! (m + m_a) x'' + b x' + k x = ΔF,   m_a = 0.543 ρ d²,   ω² = k/(m + m_a)
 //! ```
-//! d is the depth at the wall. m_a is the water that the wall carries along
-//! ([`wall_potential`](crate::theory::wall_potential)). b x' is the push of the wave that it makes as it swings with ω
-//! ([`damping`](crate::theory::wavemaker::damping)): ρ d √(g d) of a slow wall, nearly nothing of a fast one.
+//! d is the depth at the wall. m_a is the water that the wall carries with it
+//! ([`wall_potential`](crate::theory::wall_potential)). b x' is the force of the wave that the wall
+//! makes as it swings with ω ([`damping`](crate::theory::wavemaker::damping)). It is ρ d √(g d) for
+//! a slow wall and nearly zero for a fast one.
 //!
-//! The slope of the compression, which ΔF is made of, has to be that of a time shorter than the wall's swing. A wall
-//! that swings faster than sound between bed and surface, c/(4d), follows the force, and is read as that is.
+//! ΔF comes from the slope of the compression. This slope must be that over a time shorter than the
+//! wall's period. A wall that swings faster than sound between bed and surface, c/(4d), follows the
+//! force, and is treated like the force.
 
 use std::collections::VecDeque;
 use std::f64::consts::TAU;
@@ -21,12 +23,12 @@ use crate::body::Restraint;
 use crate::theory::wall_potential::CARRIED;
 use crate::theory::wavemaker::damping;
 
-/// Room from the start for so many samples.
+/// Memory reserved for this many samples.
 const ROOM: usize = 256;
-/// A wall that swings so many times as fast as sound does follows the force.
+/// A wall whose frequency is this many times that of sound follows the force.
 const FOLLOWS: f64 = 1.5;
 
-/// What holds a wall, over ½ρgh² of force and h of displacement.
+/// The wall's mass and spring, over ½ρgh² of force and h of displacement.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Mount {
     /// m h/(½ρgh²), s².
@@ -42,8 +44,9 @@ pub struct Mount {
 }
 
 impl Mount {
-    /// Of a wall in still water of this depth, m, under this gravity, m/s², that presses it with
-    /// `static_force`, N/m, and in which sound goes with `sound_speed`, m/s. None where nothing drives the wall back.
+    /// For a wall in still water of this depth, m, under this gravity, m/s². Still water presses it
+    /// with `static_force`, N/m, and the speed of sound is `sound_speed`, m/s. None if nothing
+    /// drives the wall back.
     pub fn new(
         held: &Restraint,
         depth: f64,
@@ -62,8 +65,8 @@ impl Mount {
         (held.stiffness > 0.0).then_some(mount)
     }
 
-    /// Moves x and x' on by `dt` seconds. Where nothing was listened to the water is as deep as at rest.
-    /// The implicit midpoint rule, which no stiffness upsets.
+    /// Advances x and x' by `dt` seconds by the implicit midpoint rule, which is stable for any
+    /// stiffness. If the sound is not known, the depth is that at rest.
     fn advance(&self, [x, v]: [f64; 2], push: Push, dt: f64) -> [f64; 2] {
         let deep = push.depth.map_or(1.0, |depth| depth / self.depth);
         let mass = self.mass + 2.0 * CARRIED * (deep * self.unit_time).powi(2);
@@ -76,7 +79,7 @@ impl Mount {
         [x + dt * (v + 0.5 * dt * rate), v + dt * rate]
     }
 
-    /// The force of sound that counts for a wall that swings so often, 1/s, times d/h.
+    /// The force of sound on a wall with this frequency, 1/s, times d/h.
     fn heard(&self, push: Push, swings: f64) -> f64 {
         let faster = swings * self.sound_period;
         let follows = ((faster - 1.0) / (FOLLOWS - 1.0)).clamp(0.0, 1.0);
@@ -84,25 +87,25 @@ impl Mount {
     }
 }
 
-/// A sample of the wall's place.
+/// A sample of the wall's displacement.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 struct Sample {
     time: f64,
     displacement: f64,
 }
 
-/// Keeps the last samples until the sound of their time is known.
+/// Keeps the last samples until the sound at their time is known.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct QuietTravel {
     waiting: VecDeque<Sample>,
-    /// What sound has added to X*, and its rate, 1/s.
+    /// The part of X* that comes from sound, and its rate, 1/s.
     added: [f64; 2],
-    /// Until then, s.
+    /// Time up to which it is known, s.
     since: f64,
 }
 
 impl QuietTravel {
-    /// Of a wall on its stop.
+    /// For a wall on its stop.
     pub fn new() -> QuietTravel {
         QuietTravel { waiting: VecDeque::with_capacity(ROOM), added: [0.0; 2], since: 0.0 }
     }
@@ -112,8 +115,8 @@ impl QuietTravel {
         self.waiting.push_back(Sample { time, displacement });
     }
 
-    /// The next sample no later than `until`, s: its time, and X* without what sound has added, which
-    /// has been pushing the wall like this. A stop takes all that it has added.
+    /// The next sample no later than `until`, s: its time, and X* without the part from sound.
+    /// `sound` is the push until then. A stop sets that part to zero.
     pub fn next(&mut self, until: f64, sound: Push, mount: Option<Mount>) -> Option<(f64, f64)> {
         let sample = *self.waiting.front().filter(|sample| sample.time <= until)?;
         self.waiting.pop_front();
@@ -145,7 +148,7 @@ mod tests {
         Push { force, swift: force, depth: Some(0.3) }
     }
 
-    /// Largest X* told of a wall that follows F* - 1 = bell + sound as its spring says.
+    /// Largest X* without sound, of a wall that follows F* - 1 = bell + sound by its spring.
     fn farthest(stiffness: f64, loudness: f64) -> f64 {
         let (mount, dt) = (mount(50.0, stiffness), 0.001);
         let bell = |t: f64| (-((t - 0.5) / 0.1).powi(2)).exp();
@@ -169,7 +172,7 @@ mod tests {
         }
     }
 
-    /// As the exact damped oscillator, in water as deep as at rest. Fast walls make no wave.
+    /// As the exact damped oscillator, in water at rest depth. Fast walls make no wave.
     #[test]
     fn it_swings_as_its_spring_mass_and_water_say() {
         for (stiffness, least, most) in [(2000.0, 0.2, 0.5), (1e6, 0.9999, 1.0)] {

@@ -1,4 +1,4 @@
-//! What the probes of a finished run say, in a few numbers.
+//! Readings of the probes of a finished run.
 
 use super::named_readings::{ProbeTable, Readings};
 use crate::scene::{Probe, ProbeKind, Scene};
@@ -6,14 +6,14 @@ use crate::scheme::SolverSummary;
 
 /// A pressure wave has arrived when it passes this share of ρgH.
 const ARRIVAL: f64 = 0.1;
-/// Span, over √(H/g), whose running mean separates noise from the flow.
+/// Span of the running mean that separates noise from the flow, over √(H/g).
 const NOISE_SPAN: f64 = 0.1;
 /// Buchner's plateau, over √(H/g).
 const PLATEAU: [f64; 2] = [3.0, 5.3];
-/// Where a column rings after its release, over √(H/g).
+/// Time in which a column rings after its release, over √(H/g).
 const RINGING: [f64; 2] = [0.0, 0.5];
 
-/// Tells what all probes read, in the order of the scene.
+/// Adds the readings of all probes, in the order of the scene.
 pub(super) fn tell_probes(all: &mut Readings, scene: &Scene, probes: &[Probe], table: &ProbeTable) {
     let frame = scene.frame();
     let unit = (frame.depth / frame.gravity).sqrt();
@@ -65,7 +65,7 @@ pub(super) fn tell_probes(all: &mut Readings, scene: &Scene, probes: &[Probe], t
     }
 }
 
-/// Mean over a window of time by the trapezoid rule; `None` where the series does not fill it.
+/// Mean over a window of time by the trapezoid rule; `None` if the series does not fill it.
 fn mean(series: &[(f64, f64)], [from, to]: [f64; 2]) -> Option<f64> {
     let inside: Vec<_> = series.iter().filter(|(t, _)| *t >= from && *t <= to).collect();
     let (first, last) = (inside.first()?.0, inside.last()?.0);
@@ -77,7 +77,7 @@ fn mean(series: &[(f64, f64)], [from, to]: [f64; 2]) -> Option<f64> {
     Some(areas.sum::<f64>() / (last - first))
 }
 
-/// Root mean square of what a centred running mean over `span` leaves, in a window of time.
+/// Root mean square of the difference from a centred running mean over `span`, in a window of time.
 fn noise(series: &[(f64, f64)], [from, to]: [f64; 2], span: f64) -> Option<f64> {
     let mut squares = Vec::new();
     for &(time, value) in series.iter().filter(|(t, _)| *t >= from && *t <= to) {
@@ -92,7 +92,7 @@ fn noise(series: &[(f64, f64)], [from, to]: [f64; 2], span: f64) -> Option<f64> 
     (count > 0.0).then(|| (squares.iter().sum::<f64>() / count).sqrt())
 }
 
-/// Tells how the pressure equation was solved, and how incompressible the water stayed.
+/// Adds how the pressure equation was solved, and how incompressible the water stayed.
 pub(super) fn tell_solver(all: &mut Readings, solver: &SolverSummary) {
     all.tell("solver_iterations_per_step", solver.iterations_per_step, "1");
     all.tell("solver_residual_max", solver.worst_residual, "1");

@@ -10,14 +10,15 @@ use crate::body::{BodyMotion, Place};
 use crate::math::simd::SimdPath;
 use crate::scheme::{NextStep, StepWalls};
 
-/// The water is slowed down over this share of the time that it is given.
+/// The water is slowed down over this share of the relaxation time.
 const SLOWED_OVER: f64 = 1.0 / 6.0;
 
 impl Run {
-    /// Lets the water come to rest where the scene asks for it, between walls that stand.
+    /// Lets the water come to rest between walls at rest, if the scene asks for it.
     ///
-    /// A lattice cannot fill the wedge before a shore. What does not fit there runs down into the tank as a
-    /// wave, unless it is slowed down, u' = -u/τ, until it has spread. The clock and the books start after it.
+    /// A lattice cannot fill the wedge before a shore. Water that does not fit there runs down into
+    /// the tank as a wave. So it is slowed down, u' = -u/τ, until it has spread. The clock and the
+    /// energy budget start after that.
     pub(super) fn relax(&mut self, path: SimdPath, monitor: &dyn Monitor) -> Result<(), Stopped> {
         if self.config.numerics.relaxation_time_s == 0.0 {
             return Ok(());
@@ -30,7 +31,7 @@ impl Run {
             }
             _ => {
                 self.come_to_rest(monitor)?;
-                // A case's memory is held to its limit, and not that of another.
+                // The memory of a case must stay within its limit, so no state is kept for others.
                 if monitor.limits().memory_mib.is_none() {
                     rested_water::keep(key, &self.tank.water.state(), self.clock.steps);
                 }
@@ -41,7 +42,7 @@ impl Run {
         Ok(())
     }
 
-    /// Lets it come to rest, and stops it there.
+    /// Lets the water come to rest, and stops it in the end.
     fn come_to_rest(&mut self, monitor: &dyn Monitor) -> Result<(), Stopped> {
         let time = self.config.numerics.relaxation_time_s;
         let mut bodies = self.tank.motions(self.clock.time);

@@ -1,8 +1,8 @@
-//! Water that has come to rest, for the next case that begins with the same.
+//! Water that has come to rest, for the next case that starts with the same water.
 //!
-//! How water comes to rest does not depend on the wave that follows. So of all cases that a process runs, only the first
-//! of those that begin with the same water waits for it. Those that begin once it rests go on from its state, to the same
-//! bits.
+//! The relaxation of water does not depend on the wave that follows. So in a process only the first
+//! case with some water computes it. Later cases with the same water start from its state, with the
+//! same bits.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -14,13 +14,13 @@ use crate::boundary::Ghosts;
 use crate::math::simd::SimdPath;
 use crate::scheme::SchemeState;
 
-/// States are kept up to so many bytes in all.
+/// States are kept up to this many bytes in all.
 const ROOM: usize = 32 << 20;
 
-/// Those that this process has, the last one first.
+/// The states of this process, the latest first.
 static KEPT: Mutex<Vec<Rested>> = Mutex::new(Vec::new());
 
-/// Tells waters apart.
+/// Identifies water before its relaxation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Key([u8; 32]);
 
@@ -28,13 +28,13 @@ pub(super) struct Key([u8; 32]);
 #[derive(Debug, Clone)]
 struct Rested {
     key: Key,
-    /// Of the water, as bytes.
+    /// The state of the water, as bytes.
     state: Vec<u8>,
     steps: u64,
 }
 
 impl Key {
-    /// Of a run that is about to begin: all that decides how its water comes to rest.
+    /// For a run before its start: all that decides how its water comes to rest.
     pub fn of(run: &Run, path: SimdPath) -> Key {
         let Ghosts { x, y, target_x, target_y, volume, .. } = run.tank.water.walls();
         let mut hash = Sha256::new();
@@ -50,14 +50,14 @@ impl Key {
     }
 }
 
-/// The water that came to rest under this key, and how many steps that took.
+/// The water at rest with this key, and the number of its steps.
 pub(super) fn recall(key: &Key) -> Option<(SchemeState, u64)> {
     let kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
     let rested = kept.iter().find(|rested| rested.key == *key)?;
     Some((postcard::from_bytes(&rested.state).ok()?, rested.steps))
 }
 
-/// Keeps water that took so many steps to come to rest, in place of what was kept first where room is short.
+/// Keeps water that took this many steps to come to rest. If room is short, the oldest is dropped.
 pub(super) fn keep(key: Key, state: &SchemeState, steps: u64) {
     let mut kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
     kept.retain(|rested| rested.key != key);
@@ -125,13 +125,13 @@ mod tests {
     fn another_wave_goes_on_from_water_at_rest_to_the_same_bits() {
         let (first, second) = (shore(0.25, "", ""), shore(0.3, "", ""));
         let (whole, key) = (result(&second), key(&first));
-        // The second has left its water, which is not to come back to it.
+        // The second case has stored its water, which it must not find again.
         KEPT.lock().unwrap().retain(|rested| rested.key != key);
         result(&first);
         let (state, steps) = recall(&key).expect("kept");
         let again = result(&second);
         assert_eq!((again.history, again.energy), (whole.history, whole.energy));
-        // It is gone on from: whoever takes a step more to come to rest is a step behind.
+        // The stored state is used: with one more step in it, the run has one more step.
         keep(key, &state, steps + 1);
         assert_eq!(result(&second).outcome.steps, whole.outcome.steps + 1);
         keep(key, &state, steps);

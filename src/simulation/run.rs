@@ -1,4 +1,4 @@
-//! The driver: one tank, step by step.
+//! The driver: advances one tank step by step.
 
 use std::time::Instant;
 
@@ -29,21 +29,21 @@ pub(super) struct Run {
     pub(super) attempt: Attempt,
     pub(super) watch: Option<Box<dyn Watch>>,
     pub(super) lens: Lens,
-    /// Where the bed ends and where it is highest, metres above its beginning, where it is not level.
+    /// If the bed is not level: heights of its end and its highest place over its start, metres.
     pub(super) bed: Option<[f64; 2]>,
-    /// Water on a beach, where runups are told at a thickness that is given.
+    /// Water on a beach, if runups are read at a given thickness.
     pub(super) tongue: Option<Tongue>,
     pub(super) films: u64,
     pub(super) time_step: f64,
     pub(super) bounds: HealthBounds,
     pub(super) clock: Clock,
     pub(super) logbook: Logbook,
-    /// Room for samples and checks, which take no memory of their own.
+    /// Memory for samples and checks, so that they allocate none.
     pub(super) near: Near,
     pub(super) crowding: Crowding,
     /// Pressures along the wall, Pa, at the present step.
     pub(super) pressed: Vec<f64>,
-    /// Seconds that they have taken.
+    /// Seconds spent in readings.
     pub(super) reading_time: f64,
 }
 
@@ -75,7 +75,7 @@ impl Run {
         }
     }
 
-    /// Steps to the end.
+    /// Advances to the end.
     pub fn advance(&mut self, monitor: &dyn Monitor) -> Result<(), Stopped> {
         self.go(false, monitor)?;
         let mount = self.mount();
@@ -83,14 +83,14 @@ impl Run {
         Ok(())
     }
 
-    /// Steps to the last state that all walls share which this one stands for, and hands it over: before
-    /// one of them could first move, or end its run early.
+    /// Advances to the last state that all walls of this trunk share, and returns it. This is
+    /// before one of them could first move, or end its run early.
     pub fn advance_to_onset(&mut self, monitor: &dyn Monitor) -> Result<RunState, Stopped> {
         let state = self.go(true, monitor)?;
         Ok(state.expect("a run settles in a step in which its state was kept, or soon after one"))
     }
 
-    /// Steps to the end, or with `until_onset` to where a trunk ends, whose state it returns.
+    /// Advances to the end; with `until_onset` to a trunk's end, and returns the state there.
     fn go(
         &mut self,
         until_onset: bool,
@@ -142,8 +142,8 @@ impl Run {
                 let start = Instant::now();
                 let energy = self.check_health(&bodies)?;
                 self.reading_time += start.elapsed().as_secs_f64();
-                // In trunks, too: what they leave must not depend on where they end. No wall that moves has
-                // settled before the one that never does.
+                // In trunks, too: their results must not depend on where they end. No wall that
+                // moves settles before the wall that never moves.
                 self.note_liveliness(&bodies, &energy);
                 if self.has_settled(&bodies, &energy) {
                     if !sample {
@@ -163,20 +163,20 @@ impl Run {
         }
     }
 
-    /// Whether a trunk ends ahead of a step of `dt` seconds, under this force on the wall, N per metre
-    /// of width: in a full step, and ahead of the last one where nothing happens before.
+    /// Whether a trunk ends before a step of `dt` seconds, under this force on the wall, N per
+    /// metre of width. It ends in a full step; without an onset, in the last one.
     fn is_onset(&self, force: f64, dt: f64) -> bool {
         let ending = self.clock.time + self.to_full_step(dt) > self.tank.frame.end_time;
         self.tank.water.can_be_kept() && (ending || self.tank.wall.lets_go(force))
     }
 
-    /// With steps of `dt` seconds the next full one comes well within this time, seconds.
+    /// With steps of `dt` seconds the next full step comes well within this time, seconds.
     fn to_full_step(&self, dt: f64) -> f64 {
         2.0 * f64::from(self.config.numerics.acoustic_substeps) * dt
     }
 
-    /// How the wall answers to the water's load over a step of `dt` seconds: where it is then, its step,
-    /// and the force on it, N per metre of width.
+    /// The wall's response to the water's load over a step of `dt` seconds: its new state, its
+    /// step, and the force on it, N per metre of width.
     fn answer(&mut self, mut load: Load, dt: f64) -> Result<(Wall, WallStep, f64), Failure> {
         let mut wall = self.tank.wall;
         if wall.state().is_some() && (!wall.rests() || wall.lets_go(load.force)) {
@@ -184,7 +184,7 @@ impl Run {
             load = self.wall_load();
         }
         let step = match self.tank.water.kicks() {
-            // A wall first leaves its place in a full step: only there can a trunk end.
+            // A wall first leaves its place in a full step: a trunk can only end there.
             _ if !self.tank.water.can_be_kept() && !wall.has_moved() => WallStep::default(),
             true => wall.kick(load.force, load.added_mass, dt),
             false => wall.advance(load.force, load.added_mass, dt),
@@ -192,7 +192,7 @@ impl Run {
         Ok((wall, step, load.force - load.added_mass * step.acceleration))
     }
 
-    /// Moves the water under the wall's force, N per metre of width, and books what the step did.
+    /// Moves the water under the wall's force, N per metre of width, and records the step.
     fn finish_step(
         &mut self,
         dt: f64,
@@ -218,7 +218,7 @@ impl Run {
         let ledger = &mut self.logbook.ledger;
         ledger.book_paddle([paddle_force, -push], paddle_travel);
         ledger.book_wall(&self.tank.wall, [uncounted, force], step);
-        // Splashes dissipate in bursts, and swirls from the start: summed at every step.
+        // Splashes dissipate in bursts, and swirls from the start. So sum at every step.
         let look = look || self.watch.is_some();
         self.clock.time += dt;
         self.clock.steps += 1;

@@ -1,4 +1,4 @@
-//! What a run reads off the water: at every step, at every sample, and in a check of its health.
+//! Readings of the water at every step, at every sample, and in a health check.
 
 use super::energy::WaterEnergy;
 use super::failure::{Failure, FailureKind};
@@ -18,14 +18,15 @@ use crate::body::{BodyMotion, Motions, Place};
 use crate::scene::FARTHEST_WALL;
 use crate::theory::hydrostatics::wall_force;
 
-/// Looks between two at clusters.
+/// Looks between two checks for clusters.
 const LOOKS_PER_CLUSTER_CHECK: u64 = 20;
-/// Water at a wall shallower than so many support radii is read at the wall alone.
+/// Where the water at a wall is shallower than this many support radii, its level is read only at
+/// the wall.
 const SHALLOW: f64 = 3.0;
 
 impl Run {
-    /// Takes a step's reading, and the wave gauge's where one is due, before the wall moves: the force
-    /// on it is given in N per metre of width, the acceleration by which it answers in m/s².
+    /// Takes a step's reading, and the wave gauge's if it is due, before the wall moves. The force
+    /// on the wall is in N per metre of width, the wall's acceleration in m/s².
     pub(super) fn read(&mut self, (force, acceleration): (f64, f64)) -> Reading {
         let Run { tank, logbook, clock, lens, bed, tongue, .. } = self;
         let (frame, depth) = (tank.frame, tank.frame.depth);
@@ -35,9 +36,9 @@ impl Run {
         let wall = tank.wall.state();
         let (_, radius) = tank.water.kernel();
         let toe = bed.map_or(0.0, |[toe, _]| toe);
-        // A level bed lets water be read that is a support radius deep at this moment.
+        // Over a level bed the water must now be deeper than a support radius.
         let deep = if toe == 0.0 { at_wall > radius } else { depth - toe > SHALLOW * radius };
-        // Over a crest the surface goes on, and no wall holds its slope.
+        // Above a crest the surface goes on, and no wall determines its slope.
         let top = tank.water.walls().crest.as_ref().map(|crest| crest.height);
         let deep = deep && top.is_none_or(|top| at_wall < top);
         let inside = (tank.wave_gauge.is_some() && tank.upright() && deep).then(|| {
@@ -47,7 +48,7 @@ impl Run {
         logbook.level.feel(clock.time, (acceleration, at_wall), frame.acceleration());
         let runup = logbook.level.over_rest(lens, at_wall, inside);
         let runup = bed.map_or(runup, |bed| logbook.level.over_dry(runup, [at_wall, depth], bed));
-        // Where the water is about to go over it is as high as the crest.
+        // Where water is about to go over the crest, it is as high as the crest.
         let runup = top.map_or(runup, |top| runup.min(top.max(at_wall) - logbook.level.at_rest()));
         let reading = Reading {
             time: clock.time,
@@ -103,7 +104,7 @@ impl Run {
         reading
     }
 
-    /// Lets a paddle that absorbs waves go on by `dt` seconds; it moves like this at their start.
+    /// Advances a paddle that absorbs waves by `dt` seconds; `motion` is that at the start.
     pub(super) fn give_way(&mut self, dt: f64, motion: BodyMotion) {
         let Run { tank, logbook, clock, lens, .. } = self;
         let Some((absorption, paddle)) = logbook.absorption.as_mut().zip(tank.paddle.as_ref())
@@ -119,7 +120,7 @@ impl Run {
         tank.added = absorption.added();
     }
 
-    /// What holds the wall, where something drives it back.
+    /// The wall's mass and spring, if something drives it back.
     pub(super) fn mount(&self) -> Option<Mount> {
         let frame = &self.tank.frame;
         let held = self.tank.wall.restraint()?;
@@ -127,8 +128,8 @@ impl Run {
         Mount::new(&held, frame.depth, frame.acceleration(), self.tank.static_force, sound_speed)
     }
 
-    /// Reads the pressures along the wall, and the moment about its foot: the force's, as it acts where
-    /// they say. The wall answers with `acceleration`, m/s².
+    /// Reads the pressures along the wall, and the moment about its foot. The moment is that of the
+    /// force, with the arm from the pressures. The wall's acceleration is in m/s².
     fn press(&mut self, reading: &Reading, acceleration: f64) {
         let Run { tank, logbook, pressed, .. } = self;
         let wall = Place::Right.number();
@@ -142,14 +143,14 @@ impl Run {
         let across = plane.normal[0].abs();
         let along = ghosts.target_y[faces].iter().map(|y| (y - plane.point[1]) / across);
         let lever = Lever::of(pressed, along);
-        // Forces count over ½ρgd², moments over ρgd³/6; d is the depth at the wall.
+        // Forces are over ½ρgd², moments over ρgd³/6; d is the depth at the wall.
         let frame = &tank.frame;
         let depth = (2.0 * tank.static_force / (frame.density * frame.acceleration())).sqrt();
         let moment = reading.force * 3.0 * lever.arm / (depth * across);
         logbook.measures.press(reading.time, moment, pressed);
     }
 
-    /// Takes a sample: history and probes, while `bodies` move like this.
+    /// Takes a sample of history and probes; `bodies` are the present motions.
     pub(super) fn sample(&mut self, reading: &Reading, bodies: &Motions) {
         let Run { tank, logbook, clock, .. } = self;
         let (time, depth) = (reading.time, tank.frame.depth);
@@ -175,12 +176,11 @@ impl Run {
         }
     }
 
-    /// Sets the pressure on the wall's face beside the force. The water pushes the wall with `force`,
-    /// N per metre of width, and the wall answers with `acceleration`, m/s²; `bodies` move as they did
-    /// before that.
+    /// Compares the pressure on the wall's face with the force, N per metre of width. `bodies` have
+    /// the motions before the wall responded, with `acceleration`, m/s².
     ///
     /// # Errors
-    /// The wall has come loose.
+    /// The wall is too far away.
     pub(super) fn look(
         &mut self,
         reading: &Reading,
@@ -210,7 +210,7 @@ impl Run {
         Err(self.failure(FailureKind::WallUnstable, format!("the wall is at X = {x:.3} h")))
     }
 
-    /// Checks the water's health; the energy budget as it is now.
+    /// Checks the water's health. Returns the present energy budget.
     pub(super) fn check_health(&mut self, bodies: &Motions) -> Result<EnergyBudget, Failure> {
         let now = WaterEnergy::of(self.tank.water.as_ref(), self.tank.frame.gravity);
         let energy = self.logbook.ledger.close(now, &self.tank.wall);
@@ -230,7 +230,8 @@ impl Run {
         Ok(energy)
     }
 
-    /// Where water may be, metres: left, right at the bed, bottom, top. Anywhere without walls.
+    /// The box in which water may be, metres: left, right at the bed, bottom, top. Infinite without
+    /// walls.
     fn extent(&self, bodies: &Motions) -> [f64; 4] {
         if self.tank.water.walls().is_empty() {
             let anywhere = f64::INFINITY;

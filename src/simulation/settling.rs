@@ -1,17 +1,17 @@
-//! When a run has no more to tell: `stop_when_settled`.
+//! When a run can end early: `stop_when_settled`.
 
 use serde::{Deserialize, Serialize};
 
 use super::measures::Measures;
 
-/// A wall that cannot move farther than this, over the still water's depth, counts as one that
-/// stands: whatever holds it adds next to no energy to the water by letting it go and taking it back.
+/// A wall that cannot move farther than this, over the still water's depth, counts as one at rest.
+/// When it is let go and comes back, it adds almost no energy to the water.
 const STANDS_WITHIN: f64 = 1e-3;
-/// Largest 4 tanh(u)/√(π u), at sinh 2u = 4u: of half standing waves of an energy, that of three depths
-/// presses hardest.
+/// Largest value of 4 tanh(u)/√(π u), at sinh 2u = 4u. Of half standing waves of the same energy,
+/// that with a length of three depths has the largest force.
 const PRESSING: f64 = 1.7225;
 
-/// How lively the water has been of late: its largest kinetic energy over the last one to two spans.
+/// The recent liveliness of the water: its largest kinetic energy over the last one to two spans.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Liveliness {
     since: f64,
@@ -20,7 +20,7 @@ pub(super) struct Liveliness {
 }
 
 impl Liveliness {
-    /// Takes note of a kinetic energy, J/m, at a time, s; `span` in s.
+    /// Records a kinetic energy, J/m, at a time, s; `span` in s.
     pub fn note(&mut self, time: f64, kinetic: f64, span: f64) {
         if self.now == 0.0 {
             self.since = time;
@@ -30,38 +30,39 @@ impl Liveliness {
         self.now = self.now.max(kinetic);
     }
 
-    /// Energy that the water has at most, J/m: twice the largest kinetic energy, as waves on their
-    /// way have half of theirs in motion, and standing ones now and then all of it. `None` before a
-    /// whole span has gone by.
+    /// Upper bound of the water's energy, J/m: twice the largest kinetic energy. Half of the energy
+    /// of a travelling wave is kinetic; that of a standing wave is all kinetic at times. `None`
+    /// before a whole span has passed.
     ///
-    /// It does not need the level of still water, which sinks in the course of a coarse run.
+    /// It does not use the level of still water, which falls during a coarse run.
     pub fn energy(&self) -> Option<f64> {
         self.before.map(|before| 2.0 * before.max(self.now))
     }
 }
 
-/// What can still happen, at most.
+/// Upper bounds of what can still happen.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Prospect {
     /// R*.
     runup: f64,
     /// F*.
     force: f64,
-    /// X*; infinite for a wall that may move in earnest.
+    /// X*; infinite for a wall that may move far.
     displacement: f64,
 }
 
 impl Prospect {
-    /// Of water with an energy E above that of still water, `energy` = E/(ρ g h³), at a wall that
-    /// stands on its stop. `wall` is F_th over the hydrostatic force and k h over it, if it can move.
+    /// For water with an energy E above that of still water, `energy` = E/(ρ g h³), at a wall on
+    /// its stop. `wall` is F_th and k h, both over the hydrostatic force, if the wall can move.
     ///
-    /// All the energy is taken to meet in one crest at the wall, half a standing wave of any length w
-    /// from the water's depth on, E = ¼ ρ g A² w with force ρ g A tanh(π h/w) w/π. The shortest rises
-    /// highest, R* = 2 √(E/(ρ g h³)), the one of three depths presses hardest; with a still column for
-    /// the crest of the first F* = 1 + 1.72 √(E/(ρ g h³)) + R*². Below the threshold that moves
-    /// nothing; above it a stiff wall goes no farther than twice to where it would rest. Any other wall
-    /// may move in earnest, and what holds it against the water until it is back puts energy into the
-    /// water, so that nothing bounds what follows.
+    /// All the energy is assumed to meet in one crest at the wall. This is half a standing wave of
+    /// any length w from the water's depth upwards, with E = ¼ ρ g A² w and the force ρ g A tanh(π
+    /// h/w) w/π. The shortest rises highest, R* = 2 √(E/(ρ g h³)). That of three depths has the
+    /// largest force: with a still column for the first crest, F* = 1 + 1.72 √(E/(ρ g h³)) + R*².
+    ///
+    /// A force below the threshold moves nothing. Above it a stiff wall goes at most twice as far
+    /// as its place of rest. Any other wall may move far. The parts that hold it against the water
+    /// until it is back then add energy to the water, so there is no bound.
     pub fn of(energy: f64, wall: Option<[f64; 2]>) -> Prospect {
         let root = energy.max(0.0).sqrt();
         let runup = 2.0 * root;
@@ -76,12 +77,12 @@ impl Prospect {
         Prospect { runup, force, displacement }
     }
 
-    /// Whether a wall that has come so far at most, `displacement` = X*, counts as one that stands.
+    /// Whether a wall with this largest X* so far counts as one at rest.
     pub fn stood(displacement: f64) -> bool {
         displacement < STANDS_WITHIN
     }
 
-    /// Whether all maxima so far stay what they are, those of the first impact included.
+    /// Whether no maximum so far can be exceeded, those of the first impact included.
     pub fn leaves(&self, measures: &Measures) -> bool {
         let stays = |maximum: Option<super::Maximum>, most: f64| {
             most == 0.0 || maximum.is_some_and(|maximum| most < maximum.value)
@@ -133,7 +134,7 @@ mod tests {
                 }
             }
         }
-        // What has come to rest is told so after two spans.
+        // Water at rest is recognised after two spans.
         let mut liveliness = Liveliness::default();
         for k in 0..400 {
             let time = 0.02 * f64::from(k);

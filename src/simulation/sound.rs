@@ -1,14 +1,14 @@
-//! What the compression of the water adds to the force on an upright wall.
+//! The force of the water's compression on an upright wall.
 //!
-//! The divergence of the equation of motion is ∇²p = -ρ tr(∇u)² - ρ D(∇·u)/Dt. In incompressible water
-//! the last term is zero. In weakly compressible water it is D²ρ/Dt². Multiply by the potential φ of a
-//! wall that begins to move ([`wall_potential`]) and integrate over the water. By Green's theorem the
-//! last term adds
+//! The divergence of the equation of motion is ∇²p = -ρ tr(∇u)² - ρ D(∇·u)/Dt. In incompressible
+//! water the last term is zero. In weakly compressible water it is D²ρ/Dt². Multiply by the
+//! potential φ of a wall that starts to move ([`wall_potential`]), and integrate over the water. By
+//! Green's theorem the last term adds this to the force:
 //! ```text
 //! ΔF = -∫ φ D²ρ/Dt² dV = -(d/dt Σ V φ Dρ/Dt - Σ V Dφ/Dt Dρ/Dt)
 //! ```
-//! to the force. At the largest force of a steep wave it is some percent of it, in proportion to
-//! 1/c0². φ is that of level water as deep as the water within φ's own reach is in the mean.
+//! At the largest force of a steep wave it is some percent of the force, in proportion to 1/c0². φ
+//! is that of level water. Its depth is the mean depth of the water within φ's own reach.
 
 use serde::{Deserialize, Serialize};
 
@@ -19,9 +19,9 @@ use crate::theory::wall_potential::{tabulate, wall_potential};
 
 /// The first mode of φ falls by a factor of e over this distance from the wall, over the depth: 2/π.
 const REACH: f64 = std::f64::consts::FRAC_2_PI;
-/// Water that presses less than this, over ρgh²/2, makes no sound to speak of.
+/// Below this force, over ρgh²/2, sound does not matter.
 const QUIET: f64 = 1.1;
-/// φ counts this far from the wall, over the depth.
+/// φ is cut off at this distance from the wall, over the depth.
 const FARTHEST: f64 = 3.0;
 
 /// The mean of both sums over the steps from one full step to the next.
@@ -37,18 +37,18 @@ pub struct Compression {
     pub depth: f64,
 }
 
-/// Listens to the water in front of a wall, from one full step to the next.
+/// Sums over the water before a wall, from one full step to the next.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Sound {
     /// Time of the last step, s, and the depth of the water then, m.
     last: Option<(f64, f64)>,
-    /// Sums of time, rate, carried and depth over so many steps.
+    /// Sums of time, rate, carried and depth over `steps` steps.
     sums: [f64; 4],
     steps: u32,
 }
 
 impl Sound {
-    /// For an upright wall over a flat bed that waves hit, in water that can be compressed.
+    /// For an upright wall over a flat bed that waves hit, in compressible water.
     pub(super) fn of(scene: &Scene, tank: &Tank) -> Option<Sound> {
         let plain = scene.seawall().is_some_and(SeawallScene::is_upright_over_level_bed);
         (plain && tank.water.density_rates().is_some()).then(|| {
@@ -57,8 +57,8 @@ impl Sound {
         })
     }
 
-    /// Listens in a step in which the water presses the wall with `force`, in loud ones only; both
-    /// forces in N per metre of width. See `listen`.
+    /// Listens in a step in which the water presses the wall with `force`, if that is large enough.
+    /// Both forces are in N per metre of width. See `listen`.
     pub(super) fn hear(
         &mut self,
         water: &dyn Scheme,
@@ -72,14 +72,15 @@ impl Sound {
         self.miss()
     }
 
-    /// Takes note that nothing can be told of the sound now.
+    /// Records that the sound is not known now.
     pub(super) fn miss(&mut self) -> Option<Compression> {
         *self = Sound::default();
         None
     }
 
-    /// Takes a step's readings at `time`, s, at the wall whose face at rest is at `face`, m. `level` is where
-    /// the water stands there, m. At the end of a turn of steps it tells their mean, over `scale`, N/m.
+    /// Takes a step's readings at `time`, s. The wall's face at rest is at `face`, m, and the
+    /// water's level there is `level`, m. At the end of a turn of steps it returns their mean, over
+    /// `scale`, N/m.
     fn listen(
         &mut self,
         water: &dyn Scheme,
@@ -128,13 +129,13 @@ impl Sound {
     }
 }
 
-/// Up to where water is heard, m: a wall hears none that is kept behind it.
+/// The largest x of water that counts, m. Water kept behind a wall does not act on it.
 fn end(water: &dyn Scheme) -> f64 {
     let crest = water.walls().crest.as_ref().filter(|crest| crest.end.is_some());
     crest.map_or(f64::INFINITY, |crest| crest.ends[1])
 }
 
-/// The mean depth of the water up to this far from the wall, m.
+/// The mean depth of the water up to this distance from the wall, m.
 fn mean_depth(water: &dyn Scheme, face: f64, width: f64) -> f64 {
     let (fluid, end) = (water.fluid(), end(water));
     let near = (0..fluid.len()).filter(|&k| fluid.x[k] > face - width && fluid.x[k] <= end);

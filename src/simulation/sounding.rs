@@ -1,4 +1,4 @@
-//! Pressure and level of the water at a place, voids at a wall, whatever the scheme.
+//! Pressure and level of the water at a place, and voids at a wall, for any scheme.
 
 use crate::body::{Motions, Place};
 use crate::boundary::Plane;
@@ -8,9 +8,10 @@ use crate::water::level_up_to;
 /// A gauge counts as wet from this far below the surface, in particle spacings, and as dry from
 /// as far above it.
 const WATERLINE: f64 = 0.4;
-/// Discharge is of the water within so many spacings of its section, the nearer the more.
+/// Discharge is found from the water within this many spacings of its section; nearer water weighs
+/// more.
 const SECTION: f64 = 3.0;
-/// So many points of a face are looked up together.
+/// This many points of a face are looked up together.
 const LOOKED_UP: usize = 16;
 
 /// The water around a place, at an instant.
@@ -31,8 +32,8 @@ pub(super) struct Near {
 }
 
 impl<'a> Sounding<'a> {
-    /// `spacing` is that of the particles, metres, `density` the water's, kg/m³; `near` is room for
-    /// what is in reach.
+    /// `spacing` is that of the particles, metres, `density` the water's, kg/m³. `near` is memory
+    /// for the particles in reach.
     pub(super) fn new(
         water: &'a dyn Scheme,
         bodies: &'a Motions,
@@ -42,13 +43,13 @@ impl<'a> Sounding<'a> {
         Sounding { water, bodies, gravity, spacing, density, near }
     }
 
-    /// The face of a body as it stands now.
+    /// The face of a body at its present place.
     pub(super) fn face(&self, place: Place) -> Plane {
         self.water.walls().bodies[place.number()].plane.moved(self.bodies[place].offset)
     }
 
-    /// Water beyond an upright section, m², what has been taken away there included. A particle is a square: of one on
-    /// the section a part counts.
+    /// Water beyond an upright section, m², with the water that was taken away there. A particle is
+    /// a square, and counts in part if it is on the section.
     pub(super) fn beyond(&self, x: f64) -> f64 {
         let fluid = self.water.fluid();
         let share = |k: usize| ((fluid.x[k] - x) / self.spacing + 0.5).clamp(0.0, 1.0);
@@ -64,7 +65,7 @@ impl<'a> Sounding<'a> {
         momentum.sum::<f64>() / self.density
     }
 
-    /// Looks up what is in reach of the points of a box.
+    /// Looks up all particles in reach of the points of a box.
     fn look(&mut self, [left, right]: [f64; 2], [bottom, top]: [f64; 2]) {
         let (_, radius) = self.water.kernel();
         let close = |x: f64, y: f64| {
@@ -99,8 +100,8 @@ impl<'a> Sounding<'a> {
         }
     }
 
-    /// Share of the kernel that is water, of what the walls leave of it, and the pressure of the
-    /// water there: Σ W V [p + ρg(y_j - y)] / Σ W V. Of a place that was looked up.
+    /// For a place that was looked up: the share of the kernel that is water, relative to the part
+    /// without walls; and the water's pressure, Σ W V [p + ρg(y_j - y)] / Σ W V.
     fn at(&self, x: f64, y: f64) -> (f64, f64) {
         let near = &*self.near;
         let (kernel, radius) = self.water.kernel();
@@ -120,9 +121,9 @@ impl<'a> Sounding<'a> {
         (share, if wet > 0.0 { sum / wet } else { 0.0 })
     }
 
-    /// Pressure at a place, averaged over a disc of this diameter that lies in the direction
-    /// `along`; 0 where it is dry. `along` runs up a wall: a level surface meets it at an angle, and
-    /// the share of water at their contact is that of the angle.
+    /// Pressure at a place, averaged over a disc of this diameter in the direction `along`; 0 where
+    /// it is dry. `along` points up a wall. A level surface meets the wall at an angle. The share
+    /// of water at the contact is that of this angle.
     pub(super) fn pressure(&mut self, [x, y]: [f64; 2], along: [f64; 2], diameter: f64) -> f64 {
         let radius = 0.5 * diameter;
         self.look([x - radius, x + radius], [y - radius, y + radius]);
@@ -143,7 +144,7 @@ impl<'a> Sounding<'a> {
         sum / weights
     }
 
-    /// Pressures at points along a face, as [`Sounding::pressure`] tells them one by one.
+    /// Pressures at points along a face, as [`Sounding::pressure`] gives them one by one.
     pub(super) fn pressures(&mut self, points: &[[f64; 2]], along: [f64; 2]) -> Vec<f64> {
         let waterline = self.waterline(along);
         let mut all = Vec::with_capacity(points.len());
@@ -161,7 +162,7 @@ impl<'a> Sounding<'a> {
         all
     }
 
-    /// The shares of water from which a place on a face counts as wet and up to which as dry.
+    /// The shares of water above which a place on a face is wet, and below which it is dry.
     fn waterline(&self, along: [f64; 2]) -> [f64; 2] {
         let (kernel, support) = self.water.kernel();
         let half = WATERLINE * self.spacing / support;
@@ -170,22 +171,23 @@ impl<'a> Sounding<'a> {
         [contact + fade, (contact - fade).max(0.0)]
     }
 
-    /// The pressure at a place that was looked up, as far as that is wet.
+    /// The pressure at a place that was looked up, times its wet share.
     fn wet_pressure(&self, [x, y]: [f64; 2], [wet_at, dry_at]: [f64; 2]) -> f64 {
         let (share, pressure) = self.at(x, y);
         pressure * ((share - dry_at) / (wet_at - dry_at)).clamp(0.0, 1.0)
     }
 
-    /// Level of the water at x, metres over the bed: upwards from the bed, where its share falls
-    /// to 1/2; the bed itself where that is dry.
+    /// Level of the water at x, metres above the bed: upwards from the bed, where the water's share
+    /// falls to 1/2. It is the bed itself where that is dry.
     pub(super) fn level(&mut self, x: f64, highest: f64) -> f64 {
         let bed = self.water.walls().ground(x);
         self.look([x, x], [bed, highest]);
         level_up_to(|y| self.at(x, y).0, [bed, highest], self.spacing)
     }
 
-    /// The largest share of the kernel that is empty at a wall, of what the walls leave of it: from
-    /// the toe to a support radius below the highest contact of water, where less than half is.
+    /// The largest share of the kernel that is empty at a wall, relative to the part without walls.
+    /// It is taken from the toe up to a support radius below the highest contact of water. At the
+    /// contact half of the kernel or more is water.
     pub(super) fn void(&mut self, ([toe, foot], up): ([f64; 2], [f64; 2]), highest: f64) -> f64 {
         let (_, support) = self.water.kernel();
         let highest = highest - foot;
@@ -203,8 +205,8 @@ impl<'a> Sounding<'a> {
     }
 }
 
-/// How much of a column of this width around x lies between two walls. Whole columns count whole, whatever the
-/// rounding of their ends.
+/// The share of a column of this width around x that lies between two walls. Whole columns count as
+/// whole despite rounding of their ends.
 fn share_between([left, right]: [f64; 2], x: f64, width: f64) -> f64 {
     let inside = (right.min(x + 0.5 * width) - left.max(x - 0.5 * width)) / width;
     if (inside - inside.round()).abs() < 1e-9 { inside.round().max(0.0) } else { inside.max(0.0) }

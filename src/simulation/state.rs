@@ -1,4 +1,4 @@
-//! What changes in a run while its wall stands, and as a checkpoint: as bytes, bound to the trunk that made it.
+//! The state of a run while its wall stands, also as a checkpoint: bytes that belong to one trunk.
 
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
@@ -9,8 +9,8 @@ use super::looks::Looks;
 use crate::scene::CaseConfig;
 use crate::scheme::SchemeState;
 
-/// Everything that changes in a trunk. It ends before its wall moves, so the wall is not among it; `Kept` has
-/// what else a case keeps.
+/// All that changes in a trunk. A trunk ends before its wall moves, so the wall is not part of it.
+/// `Kept` has the rest of a case's state.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct RunState {
     pub(super) water: SchemeState,
@@ -29,9 +29,9 @@ impl RunState {
 pub(super) struct Clock {
     pub(super) time: f64,
     pub(super) steps: u64,
-    /// Of the history.
+    /// Number of history samples.
     pub(super) samples: u64,
-    /// At the water's health.
+    /// Looks at the water's health.
     pub(super) looks: Looks,
 }
 
@@ -41,7 +41,7 @@ const VERSION: &[u8] = b"seawall checkpoint 10\n";
 /// Length of the hash that binds a checkpoint to its trunk.
 const HASH: usize = 32;
 
-/// The bytes of a state, under the name of its trunk.
+/// The bytes of a state, marked with the hash of its trunk.
 pub(super) fn encode(state: &RunState, config: &CaseConfig) -> Vec<u8> {
     let mut bytes = VERSION.to_vec();
     bytes.extend(trunk_hash(config));

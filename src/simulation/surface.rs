@@ -1,10 +1,11 @@
-//! Where the free surface stands: a level read through a kernel, made up for the kernel's width.
+//! The free surface: a level read through a kernel, corrected for the kernel's width.
 //!
-//! A level is the height at which a kernel is half full. Where the surface is level that is the
-//! surface. Elsewhere the kernel tells the mean of η over its width, weighted with w(|x|/R) along the
-//! surface: too high by its first moment times the slope beside a wall, and by half its second moment
-//! times the curvature everywhere. Slope and curvature come from a second reading half a radius away. A
-//! crest is sharp, and a reading from farther away makes too little of its curvature.
+//! A level is the height at which a kernel is half full. If the surface is level, that is the
+//! surface. Otherwise the kernel gives the mean of η over its width, weighted with w(|x|/R) along
+//! the surface. Beside a wall the error is the slope times the kernel's first moment. Everywhere it
+//! is the curvature times half its second moment. Slope and curvature come from a second reading
+//! half a radius away. A crest is sharp, and a reading from farther away would give too small a
+//! curvature.
 
 use std::collections::VecDeque;
 
@@ -12,18 +13,19 @@ use super::window::RunningMean;
 use crate::kernel::KernelChoice;
 use crate::scheme::Scheme;
 
-/// The second reading is taken so far away, over R.
+/// Distance of the second reading, over R.
 pub(super) const APART: f64 = 0.5;
-/// Water no steeper than this at a wall: an instant's acceleration may be noise.
+/// Bound of the water's slope at a wall: the acceleration at an instant may be noise.
 const STEEPEST: f64 = 1.0;
-/// The level's own acceleration is found over two stretches of so many times the span of the wall's.
+/// The level's own acceleration is found over two stretches, each this many times the span of the
+/// wall's.
 const STRETCH: f64 = 2.0;
-/// Levels that are kept over both stretches.
+/// Number of levels over both stretches.
 const KEPT: usize = 17;
-/// Water that falls with the tip has at least this share of its weight left.
+/// Water that falls with the tip has at least this share of its weight.
 const LIGHTEST: f64 = 0.3;
 
-/// What a kernel makes of a curved surface.
+/// The moments of a kernel, for a curved surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Lens {
     /// R, metres.
@@ -43,8 +45,8 @@ impl Lens {
         Lens { radius, first, second, aside }
     }
 
-    /// From where upwards a level is looked for beside a wall at which it stands there, over a bed of this height;
-    /// metres. Nearer to the bed half of what is in reach is missing.
+    /// Height from which a level is searched upwards beside a wall with the level `at_wall`, over a
+    /// bed of this height; metres. Nearer to the bed half of the kernel is empty.
     pub(super) fn from(&self, at_wall: f64, bed: f64) -> f64 {
         (at_wall - 1.5 * self.radius).max(bed + 0.5 * self.radius)
     }
@@ -56,13 +58,13 @@ impl Lens {
         self.straightened([left, here, right])
     }
 
-    /// The middle one of three levels, half a radius apart, without what the kernel makes of the bend.
+    /// The middle one of three levels, half a radius apart, corrected for the curvature.
     fn straightened(&self, [left, here, right]: [f64; 3]) -> f64 {
         here - 0.5 * self.second / (APART * APART) * (left + right - 2.0 * here)
     }
 
-    /// The level at a wall: `at_wall` as read there, `inside` as read half a radius away from it, where
-    /// the surface rises from the wall with this slope. The wall mirrors the surface.
+    /// The level at a wall. `at_wall` was read there, `inside` half a radius away. The surface
+    /// rises from the wall with this slope. The wall mirrors the surface.
     fn at_wall(&self, [at_wall, inside]: [f64; 2], slope: f64) -> f64 {
         let rise = slope * self.radius;
         // ½ η'' R²
@@ -76,16 +78,16 @@ impl Lens {
 pub(super) struct WallLevel {
     /// Both readings over still water, metres above the bed.
     at_rest: Option<[f64; 2]>,
-    /// Of the wall's acceleration, m/s².
+    /// The wall's acceleration, m/s².
     acceleration: RunningMean,
     slope: f64,
-    /// Times, s, and levels, m, so far apart, s.
+    /// Times, s, and levels, m, at the distance `apart`, s.
     recent: VecDeque<(f64, f64)>,
     apart: f64,
 }
 
 impl WallLevel {
-    /// The wall's acceleration counts as its mean over `span` seconds.
+    /// The wall's acceleration is averaged over `span` seconds.
     pub(super) fn new(span: f64) -> WallLevel {
         WallLevel {
             at_rest: None,
@@ -96,7 +98,7 @@ impl WallLevel {
         }
     }
 
-    /// The acceleration at which the level rises, m/s², from three levels.
+    /// The acceleration of the level upwards, m/s², from three levels.
     fn rising(&self) -> f64 {
         let [Some(&(t0, y0)), Some(&(t1, y1)), Some(&(t2, y2))] =
             [0, KEPT / 2, KEPT - 1].map(|k| self.recent.get(k))
@@ -106,9 +108,9 @@ impl WallLevel {
         2.0 * ((y2 - y1) / (t2 - t1) - (y1 - y0) / (t1 - t0)) / (t2 - t0)
     }
 
-    /// Takes note of the wall's acceleration, m/s², and the level read there, m. The surface is a line
-    /// of equal pressure. Let the wall accelerate away from the water with a, and the water on it rise
-    /// with the acceleration v'. Then the surface rises inwards with the slope a/(g + v').
+    /// Takes the wall's acceleration, m/s², and the level read there, m. The surface is a line of
+    /// equal pressure. Let the wall accelerate away from the water with a, and the water at it
+    /// upwards with v'. Then the surface rises inwards with the slope a/(g + v').
     pub(super) fn feel(&mut self, time: f64, (acceleration, level): (f64, f64), gravity: f64) {
         if self.recent.back().is_none_or(|&(last, _)| time >= last + self.apart) {
             self.recent.push_back((time, level));
@@ -122,13 +124,13 @@ impl WallLevel {
         }
     }
 
-    /// The level read at the wall over still water, metres above the bed; 0 before there is one.
+    /// The level at the wall in still water, metres above the bed; 0 before the first reading.
     pub(super) fn at_rest(&self) -> f64 {
         self.at_rest.map_or(0.0, |[at_wall, _]| at_wall)
     }
 
-    /// The level over still water, metres, from what is read at the wall and, where it stands upright,
-    /// half a radius away from it.
+    /// The level over still water, metres, from the reading at the wall and, at an upright wall,
+    /// from that half a radius away.
     pub(super) fn over_rest(&mut self, lens: &Lens, at_wall: f64, inside: Option<f64>) -> f64 {
         let now = [at_wall, inside.unwrap_or(at_wall)];
         let at_rest = *self.at_rest.get_or_insert(now);
@@ -138,11 +140,12 @@ impl WallLevel {
         lens.at_wall([0, 1].map(|place| now[place] - at_rest[place]), self.slope)
     }
 
-    /// The runup over a bed, from the runup as it was read and the level at the wall; all in metres. The still water
-    /// is `depth` deep. The bed ends at the height of `toe`, and is highest at that of `crown`.
+    /// The runup over a bed, from the runup as read and the level at the wall; all in metres. The
+    /// still water's depth is `depth`. The bed ends at the height `toe`, and `crown` is its
+    /// highest.
     ///
-    /// Where still water does not reach the wall its edge on the slope is read low, at rest as later. On top of
-    /// the bed and at a wall there it is not.
+    /// If still water does not reach the wall, its edge on the slope is read too low, at rest and
+    /// later. This is not so on top of the bed and at a wall there.
     pub(super) fn over_dry(
         &self,
         runup: f64,
@@ -163,7 +166,7 @@ impl WallLevel {
 mod tests {
     use super::*;
 
-    /// What a kernel makes of η(x) at 0, or beside a wall at 0.
+    /// The kernel's reading of η(x) at 0, or beside a wall at 0.
     fn read(kernel: KernelChoice, radius: f64, surface: impl Fn(f64) -> f64, wall: bool) -> f64 {
         let n = 4000;
         let (mut sum, mut weights) = (0.0, 0.0);
@@ -211,7 +214,7 @@ mod tests {
         assert!((falling.slope - 0.4).abs() < 1e-9, "{}", falling.slope);
         let lens = Lens { radius: 0.1, first: 0.25, second: 0.07, aside: 0.55 };
         level.over_rest(&lens, 0.2, Some(0.2));
-        // A plane surface of that slope is told by the kernel as its mean.
+        // The kernel reads a plane surface of that slope as its mean.
         let told = level.over_rest(&lens, 0.305, Some(0.311));
         assert!((told - 0.1).abs() < 1e-12, "{told}");
         assert_eq!(WallLevel::new(0.01).over_rest(&lens, 0.3, None), 0.0);

@@ -1,24 +1,26 @@
-//! How high water runs up a beach, told where it has a thickness that is given.
+//! Runup on a beach, read where the water has a given thickness.
 //!
-//! A tongue of water gets ever thinner towards its tip. The place where it is one particle spacing thick depends on the
-//! spacing. A place where it has a thickness that does not change is the same for every spacing, but for errors of the
-//! computation. The thickness at x is the volume of water per length there, as a mean over [`REACH`] spacings to each
-//! side in which the nearest counts most. It may be less than a spacing: there a tongue's particles lie farther apart.
+//! A tongue of water gets thinner towards its tip. The place where it is one particle spacing thick
+//! depends on the spacing. The place of a fixed thickness is the same for every spacing, except for
+//! errors of the computation. The thickness at x is the volume of water per length there. It is a
+//! mean over [`REACH`] spacings to each side in which nearer water weighs more. It may be less than
+//! a spacing: there a tongue's particles lie farther apart.
 
 use crate::boundary::Profile;
 use crate::pairs::Fluid;
 use crate::scene::CaseConfig;
 
-/// Water so far away counts for nothing, in particle spacings.
+/// Reach of the mean, in particle spacings.
 const REACH: f64 = 2.0;
-/// Thicknesses are told so far apart, in particle spacings.
+/// Distance between the places of thickness, in particle spacings.
 const APART: f64 = 0.5;
-/// A tongue ends where it is too thin at so many places in a row: its particles may lie apart.
+/// A tongue ends where it is too thin at this many places in a row. Fewer may be gaps between
+/// particles.
 const THIN: usize = 4;
 
 /// Water on a beach, by its thickness.
 pub(super) struct Tongue {
-    /// The thickness that is asked for, m.
+    /// The wanted thickness, m.
     thickness: f64,
     /// Where the bed begins to rise, m.
     from: f64,
@@ -31,13 +33,13 @@ pub(super) struct Tongue {
 }
 
 impl Tongue {
-    /// That of a case on its bed, where its runups are told so.
+    /// For a case on its bed, if its runups are read this way.
     pub(super) fn of(config: &CaseConfig, bed: &Profile) -> Option<Tongue> {
         let thickness = config.scene.seawall()?.runup_thickness_m?;
         Some(Tongue::new(bed, config.numerics.particle_spacing_m, thickness))
     }
 
-    /// That on a bed, of water with particles so far apart, up to where it is so thick; both in metres.
+    /// For a bed and water with this particle spacing, up to this thickness; both in metres.
     fn new(bed: &Profile, spacing: f64, thickness: f64) -> Tongue {
         let (from, apart) = (bed.level_up_to(), APART * spacing);
         let count = ((bed.end()[0] - from) / apart).floor() as usize + 1;
@@ -46,8 +48,9 @@ impl Tongue {
         Tongue { thickness, from, apart, reach: REACH * spacing, bed: heights, thicknesses }
     }
 
-    /// Level of the water's surface at the first place up the beach from where on it is thinner than asked for a while, metres above
-    /// the bed's beginning. Where it is that thick up to the wall, that which is read `at_wall`.
+    /// Level of the surface where the water first stays thinner than wanted, up the beach, metres
+    /// above the bed's beginning. If the water is thick enough up to the wall, it is the level read
+    /// `at_wall`.
     pub(super) fn level(&mut self, water: &Fluid, at_wall: f64) -> f64 {
         self.spread(water);
         let is_thin = |places: &[f64]| places.iter().all(|&place| place < self.thickness);
@@ -90,7 +93,8 @@ impl Tongue {
 mod tests {
     use super::*;
 
-    /// A wedge of water on a slope of 1:10 from 1 m on, 0.1 m thick there, up to 2 m; of rows and columns so far apart.
+    /// A wedge of water with rows and columns at this spacing. It lies on a slope of 1:10 from 1 m,
+    /// where it is 0.1 m thick, to 2 m.
     fn wedge(spacing: f64) -> Fluid {
         let columns = (2.0 / spacing) as usize;
         let column = |k: usize| spacing * (k as f64 + 0.5);
@@ -107,7 +111,7 @@ mod tests {
         for spacing in [0.004, 0.01, 0.02] {
             for thickness in [0.5 * spacing, spacing, 0.05] {
                 let level = Tongue::new(&bed, spacing, thickness).level(&wedge(spacing), 0.0);
-                // The surface is level, and all of it at 0.1 m.
+                // The surface is level, at 0.1 m everywhere.
                 assert!((level - 0.1).abs() < 0.03 * spacing, "{spacing} {thickness}: {level}");
             }
         }
@@ -124,7 +128,7 @@ mod tests {
 
     #[test]
     fn particles_that_lie_apart_are_a_thin_tongue() {
-        // 0.01 m apart but twice as far along: a tongue of half a spacing, and gaps.
+        // 0.01 m apart in height, 0.02 m along: a tongue of half a spacing, with gaps.
         let bed = Profile::checked(vec![[0.0, 0.0], [0.1, 0.0], [3.0, 0.29]]).unwrap();
         let tongue = Fluid::at_rest((0..100).map(|k| [0.02 * (f64::from(k) + 0.5), 0.0, 1e3, 0.1]));
         let level = Tongue::new(&bed, 0.01, 0.004).level(&tongue, 0.0);

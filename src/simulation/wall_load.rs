@@ -1,18 +1,19 @@
-//! The water's load on the wall, and what it lacks at rest.
+//! The water's load on the wall, and its error at rest.
 
 use super::failure::{Failure, FailureKind};
 use super::run::Run;
 use crate::body::Place;
 use crate::scheme::Load;
 
-/// A paddle stands that moves no faster than this, m/s and, over g, accelerates no more.
+/// A paddle is at rest if it is no faster than this, m/s, and its acceleration over g is no larger.
 const STILL: f64 = 1e-6;
 
 impl Run {
-    /// The water's load on the wall, made up for what the force at rest lacks of ρgh²/2.
+    /// The water's load on the wall, corrected by the difference of the force at rest from ρgh²/2.
     ///
-    /// A coarse lattice under its surface presses a little too little, in still water and in waves
-    /// alike: about (Δx/h)² of it at rest, with supports of 5 spacings. The first force of a run tells how much.
+    /// Under its surface a coarse lattice presses a little too little, in still water and in waves
+    /// alike. With supports of 5 spacings the error is about (Δx/h)² of the force at rest. The
+    /// first force of a run gives it.
     pub(super) fn wall_load(&mut self) -> Load {
         let load = self.tank.water.load(Place::Right.number());
         if self.logbook.force_at_rest.is_none() {
@@ -22,7 +23,7 @@ impl Run {
         Load { force: load.force + self.lacking_at_rest(), ..load }
     }
 
-    /// The same, which must be a number.
+    /// The same; an error if it is not a number.
     pub(super) fn finite_load(&mut self) -> Result<Load, Failure> {
         let load = self.wall_load();
         if load.force.is_finite() {
@@ -31,12 +32,12 @@ impl Run {
         Err(self.failure(FailureKind::NotANumber, "the wall's force".to_owned()))
     }
 
-    /// How much more than the paddle still water presses the wall with this force at the start, over
-    /// ρgh²/2; nothing where the paddle does not stand.
+    /// Force of still water on the wall, which is this at the start, less that on the paddle, over
+    /// ρgh²/2. None if the paddle is not at rest.
     fn lopsided(&self, force: f64) -> Option<f64> {
         let motion = self.tank.motions(self.clock.time)[Place::Left];
         let gravity = self.tank.frame.gravity;
-        // Walls in water of different depths say nothing of one another.
+        // Walls in water of different depths cannot be compared.
         let alike = self.tank.water.walls().profile.is_none();
         let stands =
             alike && motion.velocity.abs() < STILL && motion.acceleration.abs() < STILL * gravity;
@@ -44,7 +45,8 @@ impl Run {
         stands.then(|| (force + paddle) / self.tank.static_force)
     }
 
-    /// What the force on the wall lacks, N per metre of width; nothing where it counts as it is.
+    /// What the force on the wall lacks at rest, N per metre of width; zero if the force is not
+    /// corrected.
     pub(super) fn lacking_at_rest(&self) -> f64 {
         let at_rest = self.logbook.force_at_rest.filter(|_| self.tank.from_rest);
         at_rest.map_or(0.0, |force| self.tank.static_force - force)

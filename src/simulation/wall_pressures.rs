@@ -1,5 +1,5 @@
-//! How hard the water presses along the wall, and the moment of that about the wall's foot: largest
-//! running means of the whole run and of its first impact.
+//! Pressures along the wall and their moment about its foot: largest running means of the whole run
+//! and of its first impact.
 
 use serde::{Deserialize, Serialize};
 
@@ -7,17 +7,18 @@ use super::first_impact::FirstImpact;
 use super::outcome::{EnvelopeRow, Maximum};
 use super::window::RunningMeans;
 
-/// What a step's pressures add up to.
+/// The sums of a step's pressures.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Lever {
-    /// From the foot to where the force acts, along the face, metres.
+    /// Distance along the face from the foot to where the force acts, metres.
     pub arm: f64,
     /// Σ p Δs over the face, N per metre of width.
     pub force: f64,
 }
 
 impl Lever {
-    /// Of pressures, Pa, at points so far above the foot, metres along the face, equally far apart.
+    /// From pressures, Pa, at equidistant points; `along` has their distances from the foot,
+    /// metres.
     pub fn of(pressures: &[f64], along: impl Iterator<Item = f64> + Clone) -> Lever {
         let [force, moment] = pressures.iter().zip(along.clone()).fold(
             [0.0; 2],
@@ -35,7 +36,7 @@ impl Lever {
 /// Largest pressures and moments so far.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Pressed {
-    /// Of the moment and of the pressures, in one.
+    /// Running means of the moment and of the pressures together.
     means: RunningMeans,
     /// The moment over ρgh³/6.
     pub moment: Option<Maximum>,
@@ -43,12 +44,12 @@ pub struct Pressed {
     /// Largest pressures, Pa, up the wall.
     highest: Vec<f64>,
     first_highest: Vec<f64>,
-    /// Which of the impacts on trial the first ones are of.
+    /// Number of the provisional impact to which the first ones belong.
     trial: u32,
 }
 
 impl Pressed {
-    /// For so many points on the wall and means over so many seconds.
+    /// For this many points on the wall, and means over this many seconds.
     pub fn new(points: usize, span: f64) -> Pressed {
         Pressed {
             means: RunningMeans::new(span, points + 1),
@@ -60,7 +61,7 @@ impl Pressed {
         }
     }
 
-    /// Takes a step's moment and pressures, Pa, at a time, s, after the force's.
+    /// Takes a step's moment and pressures, Pa, at a time, s. The force must be taken first.
     pub fn push(&mut self, time: f64, moment: f64, pressures: &[f64], first: &FirstImpact) {
         if self.trial != first.trials() {
             self.trial = first.trials();
@@ -77,17 +78,17 @@ impl Pressed {
         }
     }
 
-    /// What a blow drowns counts for nothing: the means have to fill anew.
+    /// Pressures in the sound of a stop do not count: the means must fill again.
     pub fn interrupt(&mut self) {
         self.means.clear();
     }
 
-    /// Largest moment of the first impact, where there was one.
+    /// Largest moment of the first impact, if there was one.
     pub fn first_moment(&self, first: &FirstImpact) -> Option<Maximum> {
         first.force().and(self.first_moment)
     }
 
-    /// The envelope, at these heights above the bed, m, as far up as the wall was ever wet.
+    /// The envelope at these heights above the bed, m, as far up as the wall was wet.
     pub fn envelope(&self, heights: &[f64], first: &FirstImpact) -> Vec<EnvelopeRow> {
         let wet = self.highest.iter().rposition(|&pressure| pressure > 0.0);
         let rows = heights.iter().zip(self.highest.iter().zip(&self.first_highest));
@@ -124,7 +125,7 @@ mod tests {
         assert_eq!(Lever::of(&[0.0; 4], HEIGHTS.into_iter()), Lever::default());
     }
 
-    /// A pulse that runs up the wall, in sound that a mean takes out.
+    /// A pulse that runs up the wall, with sound that a mean removes.
     fn pressures(time: f64) -> [f64; 4] {
         HEIGHTS.map(|y| {
             let bell = (-((time - 1.0 - y) / 0.1).powi(2)).exp();

@@ -1,4 +1,4 @@
-//! What each wave of a train does: a row for every period of the paddle.
+//! The waves of a train: a row for every period of the paddle.
 
 use std::f64::consts::TAU;
 
@@ -27,13 +27,13 @@ pub struct WaveRow {
 /// The surface at an instant, seconds and metres over still water.
 type Level = [f64; 2];
 
-/// A period of which not all is known yet.
+/// A period that is not yet complete.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 struct Gathered {
     surface: Option<[f64; 2]>,
     force: Option<[f64; 2]>,
     runup: Option<f64>,
-    /// Seconds of the surface that are known, and ∫ η, ∫ η cos nωt, ∫ η sin nωt over them.
+    /// Seconds of the surface so far, and ∫ η, ∫ η cos nωt, ∫ η sin nωt over them.
     known: f64,
     sum: f64,
     sums: [[f64; 2]; 2],
@@ -47,18 +47,18 @@ pub(super) struct Waves {
     at_rest: Option<f64>,
     last: Option<Level>,
     looks: Looks,
-    /// Up to when the surface and the force are known, seconds.
+    /// Time up to which the surface and the force are known, seconds.
     reached: f64,
 }
 
 impl Waves {
-    /// Of a paddle with this period, seconds.
+    /// For a paddle with this period, seconds.
     pub fn of(period: f64) -> Waves {
         let (rows, at_rest, last) = (Vec::new(), None, None);
         Waves { period, rows, at_rest, last, looks: Looks::default(), reached: 0.0 }
     }
 
-    /// The period in which a time falls, seconds.
+    /// The period of a time, seconds.
     fn at(&mut self, time: f64) -> &mut Gathered {
         let number = (time.max(0.0) / self.period) as usize;
         if self.rows.len() <= number {
@@ -67,7 +67,7 @@ impl Waves {
         &mut self.rows[number]
     }
 
-    /// Takes F* of the running mean, which belongs to this time.
+    /// Takes F* of the running mean at a time.
     pub fn press(&mut self, time: f64, force: f64) {
         widen(&mut self.at(time).force, force);
         self.reached = time;
@@ -103,7 +103,7 @@ impl Waves {
         }
     }
 
-    /// A row for every period that has gone by.
+    /// A row for every complete period.
     pub fn rows(&self) -> Vec<WaveRow> {
         let whole = (self.reached / self.period + 1e-2) as usize;
         let row = |(number, row): (usize, &Gathered)| {
@@ -121,7 +121,7 @@ impl Waves {
     }
 }
 
-/// Takes a value into what is known of the highest and the lowest.
+/// Extends the range from the lowest to the highest by a value.
 fn widen(known: &mut Option<[f64; 2]>, value: f64) {
     let [high, low] = known.unwrap_or([value; 2]);
     *known = Some([high.max(value), low.min(value)]);
@@ -152,7 +152,7 @@ mod tests {
         for (number, row) in rows.iter().enumerate().skip(1) {
             let share = 1.0 + 0.1 * number as f64;
             assert!((row.from_s - 0.8 * number as f64).abs() < 1e-12);
-            // The lowest: cos θ = -3/4, where η = -17/8.
+            // The lowest is at cos θ = -3/4, where η = -17/8.
             let exact = [4e-3 * share, -2.125e-3 * share];
             for (found, exact) in row.surface_m.into_iter().zip(exact) {
                 assert!((found / exact - 1.0).abs() < 2e-3, "{found} {exact}");

@@ -4,10 +4,10 @@ use std::collections::VecDeque;
 
 use serde::{Deserialize, Serialize};
 
-/// Room from the start for so many samples.
+/// Memory reserved for this many samples.
 const ROOM: usize = 128;
 
-/// Keeps the samples of the last `span` seconds and tells their mean, which belongs to the middle
+/// Keeps the samples of the last `span` seconds and gives their mean, which belongs to the middle
 /// of the span.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RunningMean(RunningMeans);
@@ -24,13 +24,14 @@ impl RunningMean {
     }
 }
 
-/// Running means of many columns over the same span. Sums are formed anew each time: no rounding piles up.
+/// Running means of many columns over the same span. Sums are formed anew each time, so that
+/// rounding does not accumulate.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RunningMeans {
     span: f64,
     filled: bool,
     times: VecDeque<f64>,
-    /// Sample after sample.
+    /// One sample after another.
     values: VecDeque<f64>,
     means: Vec<f64>,
 }

@@ -21,7 +21,8 @@ fn outcome() -> Outcome {
     }
 }
 
-/// What a sound case leaves, with a void of a share of the force in a stretch of time, s.
+/// The doubt of a sound case. `void` is the share of the force that is missing from `from` to `to`,
+/// s.
 fn doubt(
     outcome: &Outcome,
     [from, to]: [f64; 2],
@@ -95,7 +96,7 @@ fn energy_from_nowhere_counts_against_what_the_spacing_makes() {
         };
         doubt(&outcome(), [0.0, 0.0], 0.0, change)
     };
-    // 0.2 of it until the largest force at 1 s, 0.8 in all.
+    // 0.2 J until the largest force at 1 s, 0.8 J in all.
     assert_eq!(with(100.0, 0.045), None);
     let told = with(100.0, 0.035).unwrap();
     assert_eq!(told, "energy: 0.2 % of the paddle's work came from nowhere");
@@ -109,7 +110,8 @@ fn energy_from_nowhere_counts_against_what_the_spacing_makes() {
     assert_eq!(told, "energy: 0.2 % of the water's initial energy came from nowhere");
 }
 
-/// The story: waves over sills of half the depth were doubtful at fifteen and at 25 rows, though they press the wall alike.
+/// Waves over sills of half the depth were once doubtful at 15 and at 25 rows, though their force
+/// on the wall was right.
 #[test]
 fn over_a_sill_the_rows_on_it_tell_what_energy_may_come_from_nowhere() {
     let with = |work: f64, on_way: f64| {
@@ -118,10 +120,10 @@ fn over_a_sill_the_rows_on_it_tell_what_energy_may_come_from_nowhere() {
         };
         doubt(&outcome(), [0.0, 0.0], 0.0, change)
     };
-    // 0.2 and 0.25 of it until the largest force.
+    // 0.2 % and 0.25 % until the largest force.
     assert_eq!(with(100.0, 0.045), None);
     assert!(with(80.0, 0.041).unwrap().contains("energy: 0.2 % of"));
-    // More than 1 % counts there as anywhere.
+    // More than 1 % counts there as elsewhere.
     assert!(with(19.0, 0.3).unwrap().contains("energy: 1.1 % of"));
 }
 

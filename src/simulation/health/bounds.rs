@@ -1,16 +1,17 @@
-//! Bounds that a healthy run keeps, by the scales of its scene.
+//! Bounds of a healthy run, from the scales of its scene.
 
 use crate::scene::{FALLS_FREE, Tank};
 use crate::simulation::energy::WaterEnergy;
 
-/// The mean gap between the two readings of a force from which there are voids at the wall.
+/// A larger mean gap between the two readings of a force means voids at the wall.
 pub const LASTING_GAP: f64 = 0.5;
 
-/// Bounds that a healthy run keeps.
+/// Bounds of a healthy run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HealthBounds {
-    /// m/s: what Bernoulli's law allows a drop from the highest conceivable runup, or the front of a
-    /// dam break, which is faster (Ritter 1892) and shoots up a wall faster still; twice over.
+    /// m/s: twice the speed that Bernoulli's law gives for a fall from the highest conceivable
+    /// runup. The front of a dam break is faster (Ritter 1892), and faster still as it shoots up a
+    /// wall.
     pub speed: f64,
     /// Largest |ρ/ρ_s - 1|; scales with g h/c0².
     pub density_change: f64,
@@ -20,12 +21,12 @@ pub struct HealthBounds {
     pub lost_share: f64,
     /// Share of particles that may be clustered.
     pub clustered_share: f64,
-    /// Mean gap between the momentum reaction and the face integral, over the larger of the force
-    /// and the hydrostatic one.
+    /// Mean gap between the momentum reaction and the face integral, relative to the larger of the
+    /// force and the hydrostatic one.
     pub force_gap: f64,
-    /// Energy that may come from nowhere, as a share of the work done on the water ...
+    /// Energy that may come from nowhere: this share of the work done on the water ...
     pub energy_growth: f64,
-    /// ... and besides it, J per metre of width.
+    /// ... plus this, J per metre of width.
     pub energy_floor: f64,
 }
 
@@ -33,7 +34,8 @@ impl HealthBounds {
     /// For a tank that starts with this energy.
     pub fn of(tank: &Tank, start: &WaterEnergy) -> HealthBounds {
         let (frame, head) = (tank.frame, tank.frame.speed_squared());
-        // Compression scales with g h/c0² and, where water hits a wall or a floor, with its speed over c0.
+        // Compression scales with g h/c0². Where water hits a wall or a floor, it scales with the
+        // water's speed over c0.
         let fall = (2.0 * head * (1.0 + 4.0 * tank.wave_height_ratio)).sqrt();
         let fall = fall.max(tank.other_speed);
         let speed = 2.0 * fall.max(tank.front_speed);
@@ -49,8 +51,9 @@ impl HealthBounds {
                 .map_or(frame.density, |state| state.surface_density),
             lost_share: 0.02,
             clustered_share: 0.25,
-            // A front that hits a wall splashes. Water that falls free in front of one leaves cavities at its face.
-            // What is there and what presses on it differ for a while. A front's books close less well.
+            // A front that hits a wall splashes. Water that falls freely before a wall leaves
+            // cavities at its face. In both cases the two readings of the force differ for a while.
+            // The budget of a front has a larger gap.
             force_gap: if splashes || falls_free { 2.0 } else { LASTING_GAP },
             energy_growth: 0.25,
             energy_floor: if splashes { 0.05 } else { 0.01 } * start.potential.abs()

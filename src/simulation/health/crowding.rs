@@ -1,19 +1,19 @@
-//! Particles that have come too close to each other.
+//! Particles that are too close to each other.
 
 use crate::pairs::{Fluid, Strips};
 
-/// Room to look for them.
+/// Memory for the search.
 #[derive(Debug, Clone, Default)]
 pub struct Crowding {
     strips: Strips,
     order: Vec<u32>,
-    /// How far each particle's nearest neighbour is, metres, where that is near.
+    /// Distance of each particle's nearest neighbour, metres, if that is near.
     nearest: Vec<f64>,
 }
 
 impl Crowding {
     /// The share of particles whose nearest neighbour is closer than `distance`, and the particle
-    /// whose is the closest of all.
+    /// with the closest neighbour of all.
     pub(super) fn look(&mut self, fluid: &Fluid, distance: f64) -> (f64, usize) {
         let Crowding { strips, order, nearest } = self;
         let count = fluid.len();
@@ -23,7 +23,7 @@ impl Crowding {
         nearest.resize(count, f64::INFINITY);
         for k in 0..count {
             let (x, y) = (xs[k], ys[k]);
-            // Who is to the left finds the pair itself.
+            // The particle on the left finds the pair.
             strips.visit_box([x, x + distance], [y - distance, y + distance], |range| {
                 for &other in &order[range] {
                     let other = other as usize;

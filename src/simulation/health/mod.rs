@@ -1,5 +1,5 @@
-//! Stops a sick run early, with the reason, the time and the particle, and remembers how close a
-//! healthy one came to each bound.
+//! Stops an unstable run early, with the reason, the time and the particle. Also records how close
+//! a healthy run came to each bound.
 
 mod bounds;
 mod crowding;
@@ -14,10 +14,10 @@ use crate::pairs::Fluid;
 
 /// Particles closer than this, over the spacing, count as clustered.
 const CLUSTERED: f64 = 0.25;
-/// Looks at the force gap go on counting for about so many more.
+/// The force gap is a mean over about this many looks.
 const GAP_MEMORY: f64 = 10.0;
 
-/// The largest share of each bound that a run has reached: 1 is the edge.
+/// The largest share of each bound that a run has reached; 1 is at the bound.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct HealthMargins {
     /// Of the speed.
@@ -49,37 +49,38 @@ impl HealthMargins {
     }
 }
 
-/// What a run keeps of its health, from rest to the end.
+/// Health data of a run, from the start to the end.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct HealthState {
-    /// How close to each bound.
+    /// How close it came to each bound.
     pub margins: HealthMargins,
     /// Largest number of particles seen outside.
     pub lost: u32,
     mean_gap: f64,
 }
 
-/// What one check looks at, besides the particles.
+/// The data of one check, besides the particles.
 #[derive(Debug, Clone, Copy)]
 pub struct Vitals {
     /// Simulated time, seconds.
     pub time_s: f64,
     /// Toes of paddle and wall, bed, top of the walls, metres.
     pub extent: [f64; 4],
-    /// What the right wall gains in x per height; 0 for a vertical one.
+    /// Gain of the right wall's x per height; 0 for a vertical wall.
     pub lean: f64,
     /// Particle spacing, metres.
     pub spacing: f64,
-    /// Work done on the water less all that became of it, J per metre of width.
+    /// Work done on the water less all other terms of the budget, J per metre of width.
     pub energy_residual: f64,
     /// That work.
     pub work: f64,
-    /// Whether to look for clusters, too: the dearest look.
+    /// Whether to look for clusters too: the most expensive part.
     pub clusters: bool,
 }
 
 impl HealthState {
-    /// Takes a reading of the force gap, over the larger of the force and the hydrostatic one.
+    /// Takes a reading of the force gap, relative to the larger of the force and the hydrostatic
+    /// one.
     pub fn see_gap(&mut self, gap: f64) {
         self.mean_gap += (gap - self.mean_gap) / GAP_MEMORY;
     }
@@ -145,7 +146,7 @@ impl HealthState {
         let fail = |kind, detail| Err(Failure { kind, time_s: vitals.time_s, detail });
         let [left, right, bottom, top] = vitals.extent;
         let mut outside = 0_u32;
-        // Who is surely slower than another was before is not looked at closely.
+        // A particle that is clearly slower than the fastest so far needs no exact speed.
         let slow = |margin: f64| (0.999_999 * margin * bounds.speed).powi(2);
         let mut floor = slow(self.margins.speed);
         for k in 0..fluid.len() {
@@ -189,7 +190,7 @@ impl HealthState {
     }
 }
 
-/// Takes note of the share of a bound that a value reaches; whether it is past it.
+/// Records the share of a bound that a value reaches. Returns whether the value is above the bound.
 fn is_past(margin: &mut f64, value: f64, bound: f64) -> bool {
     *margin = margin.max(value / bound);
     value > bound

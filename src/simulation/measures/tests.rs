@@ -74,7 +74,7 @@ fn sound_is_not_water() {
     assert!(m.force_raw.unwrap() > 1.29 && m.force.unwrap().value < 1.12);
 }
 
-/// F* that rises in noise of the given height and period, s, and falls again; R* is without noise.
+/// F* that rises with noise of this height and period, s, and falls again. R* has no noise.
 fn noisy(height: f64, period: f64) -> Measures {
     feed([1.1; 2], |time| {
         let water = bell(time, 1.5, 2.0);
@@ -112,8 +112,8 @@ fn noise_in_the_midst_of_a_rise_does_not_end_the_first_impact() {
     }
 }
 
-/// A wall that comes back at 1.5 s with `speed`, m/s, in F* = 1 + a bell, and what it meets then:
-/// suction and a rebound to F* = 4, told to be sound or not.
+/// A wall that comes back at 1.5 s at `speed`, m/s, with F* = 1 + a bell. Then there is suction and
+/// a rebound to F* = 4, which may or may not count as sound.
 fn struck(farthest: f64, speed: f64) -> Measures {
     let mut measures = Measures::new([1.1; 2], WATER, None, 0);
     for k in 0..4000 {
@@ -145,14 +145,15 @@ fn the_sound_of_a_blow_is_in_no_maximum_of_the_force() {
 
 #[test]
 fn touches_leave_the_maxima_of_the_force_alone() {
-    // The same readings: a stiff wall, and one that comes slowly.
+    // The same readings for a stiff wall, and for a slow one.
     for (farthest, speed) in [(0.009, 0.3), (0.5, 0.01)] {
         let m = struck(farthest, speed);
         assert!(m.force.unwrap().value > 2.2 && m.force_raw.unwrap() > 2.5, "{m:?}");
     }
 }
 
-/// The story: where sound is taken off the mean comes late, and a stop took the last 0.03 s from the impulse, up to 2.3 %.
+/// Where sound is removed, the mean comes late. A stop once removed the last 0.03 s of the impulse,
+/// up to 2.3 %.
 #[test]
 fn an_impulse_reaches_up_to_the_blow_that_ends_it() {
     let force = |time: f64| 1.0 + bell(time, 1.0, 1.0);

@@ -17,7 +17,7 @@ fn the_mean_of_a_line_is_its_middle() {
     }
 }
 
-/// Feeds a force that sound has part in, and tells the largest of what is left.
+/// The largest force without sound, from a force with sound.
 fn largest(step: f64, steps: u32, sound: f64) -> f64 {
     let turn = f64::from(steps) * step;
     let mut force = QuietForce::new(SPAN, Some(turn));
@@ -34,7 +34,7 @@ fn largest(step: f64, steps: u32, sound: f64) -> f64 {
             Compression { time, rate, carried: 2.0 * sound, depth: 0.4 }
         });
         sums[0] += time;
-        // Within a turn the rate is seen aslant.
+        // Within a turn the rate has an error that is linear in time.
         sums[1] += rate(time) + 0.3 * (f64::from(k % steps) - 0.5 * f64::from(steps - 1));
         let heard = (time, 1.0 + bell(time) + added(time));
         if let Some(quiet) = force.push(heard, told) {
@@ -44,7 +44,7 @@ fn largest(step: f64, steps: u32, sound: f64) -> f64 {
     highest
 }
 
-/// Four rows of water take longer steps than the span.
+/// With four rows of water steps are longer than the span.
 #[test]
 fn a_force_is_told_of_steps_longer_than_the_span() {
     let still = largest(1.2 * SPAN, 3, 0.0);

@@ -15,14 +15,14 @@ fn a_void_is_the_share_that_water_leaves_empty() {
         let mut water =
             Sounding::new(tank.water.as_ref(), &bodies, (9.81, 0.02, 1000.0), &mut near);
         let void = water.void((water.face(Place::Right).point, [0.0, 1.0]), 0.6);
-        // In the toe's corner, where the empty strip goes on through the bed.
+        // In the toe's corner, where the empty strip continues through the bed.
         let filled = kernel.half_plane_fraction(-apart * tank.spacing / radius);
         let exact = 1.0 - filled / (1.0 - filled);
         assert!((void - exact).abs() < 0.02, "{void}, and {exact} by the kernel alone");
     }
 }
 
-/// The last stretch of a bed need not be whole columns long.
+/// The last stretch of a bed need not be a whole number of columns long.
 #[test]
 fn still_water_leaves_no_void_at_the_foot_of_a_wall_on_a_bed() {
     for shelf in [0.6, 0.607, 0.61, 0.613] {

@@ -1,4 +1,4 @@
-//! Air that water has closed in: found on a raster, by flooding the air from above.
+//! Air enclosed by water: found on a raster by flooding the air from above.
 
 use std::ops::Range;
 
@@ -7,14 +7,14 @@ pub(super) struct Raster {
     cell: f64,
     columns: usize,
     rows: usize,
-    /// Cells that water or a flood has taken.
+    /// Cells that are wet, or that a flood has reached.
     taken: Vec<bool>,
-    /// Cells that a flood has yet to look at.
+    /// Cells that a flood has still to visit.
     open: Vec<usize>,
 }
 
 impl Raster {
-    /// Cells as wide as a particle over a tank of this length and height, metres.
+    /// Cells of one particle spacing over a tank of this length and height, metres.
     pub(super) fn new(length: f64, height: f64, spacing: f64) -> Raster {
         Raster {
             cell: spacing,
@@ -25,8 +25,8 @@ impl Raster {
         }
     }
 
-    /// Area of the largest body of air that no path leads to from above, m². A particle wets all
-    /// cells whose centre is within 1.2 spacings of it; walls and bed end the raster.
+    /// Area of the largest body of air without a path to above, m². A particle wets all cells whose
+    /// centre is within 1.2 spacings. The raster ends at walls and bed.
     pub(super) fn largest_cavity(&mut self, x: &[f64], y: &[f64]) -> f64 {
         let Raster { cell, columns, rows, .. } = *self;
         let taken = &mut self.taken;
@@ -57,7 +57,7 @@ impl Raster {
         largest as f64 * cell * cell
     }
 
-    /// Takes all free cells that are connected to these; returns how many.
+    /// Marks all free cells that are connected to these; returns their number.
     fn flood(&mut self, from: Range<usize>) -> usize {
         let Raster { taken, open, .. } = self;
         open.extend(from);

@@ -1,4 +1,4 @@
-//! What a dam break shows besides its probes: the front, the cavity, the balances.
+//! Results of a dam break besides its probes: front, cavity, balances.
 
 use super::cavity::Raster;
 use super::{Watch, remembers};
@@ -7,12 +7,13 @@ use crate::scene::Frame;
 use crate::simulation::named_readings::Readings;
 use crate::theory::dam_break::ritter_front;
 
-/// Air counts as closed in from this area on, over H². The tongue that comes down from the wall closes in 0.1 or more, and
-/// the splash of the front before that less than 0.008.
+/// Smallest area of enclosed air that counts, over H². The tongue that falls from the wall encloses
+/// 0.1 or more. Before that the splash of the front encloses less than 0.008.
 const SMALLEST_CAVITY: f64 = 0.02;
-/// ... and once it has lasted this long, over √(H/g).
+/// The air must be enclosed for this long, over √(H/g).
 const CAVITY_LASTS: f64 = 0.1;
-/// Water that never moves faster than this as a whole, over √(gH), stands still: its momentum is rounding.
+/// Water that never moves faster than this as a whole, over √(gH), is at rest: its momentum is
+/// rounding.
 const STILL: f64 = 1e-6;
 
 pub(super) struct Collapse {
@@ -54,8 +55,8 @@ impl Collapse {
         (self.frame.depth / self.frame.gravity).sqrt()
     }
 
-    /// The foremost particle that is no lone drop (two others within two spacings), plus half a
-    /// spacing.
+    /// The foremost particle that is not a single drop (two others within two spacings), plus half
+    /// a spacing.
     fn front(&mut self, fluid: &Fluid) -> f64 {
         let reach = 2.0 * self.spacing;
         let order = &mut self.order;
@@ -78,7 +79,7 @@ impl Collapse {
 impl Watch for Collapse {
     remembers!(front_at_wall, fronts, cavity_since, closure, impulse, largest_momentum);
 
-    /// Books the force of the water on all walls along x over one step.
+    /// Adds the force of the water on all walls along x over one step.
     fn push(&mut self, force: f64, dt: f64) {
         self.impulse += force * dt;
     }
@@ -128,7 +129,8 @@ impl Watch for Collapse {
     }
 }
 
-/// Where a front is at this time, seconds, on a straight line between its samples; none behind the last.
+/// The place of a front at this time, seconds, interpolated linearly between its samples; none
+/// after the last.
 fn place_at(samples: &[(f64, f64)], time: f64) -> Option<f64> {
     let after = samples.iter().position(|(sampled, _)| *sampled >= time)?;
     let (t1, x1) = samples[after];

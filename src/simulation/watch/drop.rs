@@ -1,11 +1,11 @@
-//! Axes and period of a drop that swings between ellipses.
+//! Axes and period of a drop that oscillates between ellipses.
 
 use super::{Watch, half_swings, remembers};
 use crate::pairs::Fluid;
 use crate::simulation::named_readings::Readings;
 use crate::theory::elliptic_drop::EllipticDrop;
 
-/// Follows the semi-axes beside those of the exact drop.
+/// Follows the semi-axes, and those of the exact drop.
 pub(super) struct Drop {
     start: EllipticDrop,
     exact: (f64, EllipticDrop),
@@ -66,7 +66,7 @@ impl Watch for Drop {
         all.tell("axis_gap", 100.0 * self.worst, "% of R, largest over the run");
         all.tell("area_gap", 100.0 * (self.area - 1.0), "% of pi R2, at the end");
         all.tell("period_exact", exact, "s");
-        // The start is a crossing in itself: what it holds of noise is not.
+        // The start itself is a zero crossing, and noise may cross zero there again.
         let later: Vec<_> = self.series.iter().copied().filter(|(t, _)| *t > 0.1 * exact).collect();
         if let Some((half, peaks)) = half_swings(&later) {
             all.tell("period", 2.0 * half, "s");

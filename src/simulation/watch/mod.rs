@@ -1,4 +1,4 @@
-//! What scenes of one kind show besides force, runup and probes: an observer for each.
+//! Results of special scenes besides force, runup and probes: an observer for each kind.
 
 mod cavity;
 mod collapse;
@@ -11,7 +11,7 @@ use super::named_readings::Readings;
 use crate::pairs::Fluid;
 use crate::scene::{CaseConfig, Scene, Tank};
 
-/// Follows a run and tells a few numbers at its end.
+/// Follows a run and gives a few numbers at its end.
 pub(super) trait Watch {
     /// Takes the force of the water on all walls along x over one step, N per metre of width.
     fn push(&mut self, _force: f64, _dt: f64) {}
@@ -19,17 +19,17 @@ pub(super) trait Watch {
     /// Takes a sample at the history's times.
     fn sample(&mut self, time: f64, fluid: &Fluid);
 
-    /// What it remembers of the run so far, as bytes.
+    /// Its memory of the run so far, as bytes.
     fn memory(&self) -> Vec<u8>;
 
-    /// Remembers that again.
+    /// Restores that memory.
     fn recall(&mut self, memory: &[u8]) -> postcard::Result<()>;
 
-    /// Tells what there is to tell of the water at its end.
+    /// Adds its results at the end of the run.
     fn tell(&self, fluid: &Fluid, all: &mut Readings);
 }
 
-/// The fields that an observer remembers: all that change.
+/// Stores the fields of an observer that change.
 macro_rules! remembers {
     ($($field:ident),+) => {
         fn memory(&self) -> Vec<u8> {
@@ -44,7 +44,7 @@ macro_rules! remembers {
 }
 use remembers;
 
-/// The observer of a scene; none where the measures of every run say it all.
+/// The observer of a scene; none if the measures of every run are enough.
 pub(super) fn of(config: &CaseConfig, tank: &Tank) -> Option<Box<dyn Watch>> {
     let viscosity = config.numerics.kinematic_viscosity_m2_per_s.unwrap_or(0.0);
     let fluid = tank.water.fluid();
@@ -65,7 +65,7 @@ pub(super) fn of(config: &CaseConfig, tank: &Tank) -> Option<Box<dyn Watch>> {
     })
 }
 
-/// Share of a flow that the water has: Σ m u·w/Σ m w², w the flow where the particles are.
+/// Share of a flow in the water's motion: Σ m u·w/Σ m w², with the flow w at the particles.
 fn share_of(fluid: &Fluid, flow: impl Fn([f64; 2]) -> [f64; 2]) -> f64 {
     let (mut along, mut whole) = (0.0, 0.0);
     for k in 0..fluid.len() {
@@ -83,8 +83,8 @@ fn kinetic_energy(fluid: &Fluid) -> f64 {
     0.5 * squares.sum::<f64>()
 }
 
-/// Mean time from crossing to crossing of zero, by straight lines between samples, and the largest
-/// |value| between each pair of them with its time; `None` before the second crossing.
+/// Mean time between zero crossings, by straight lines between samples; and the largest |value|
+/// between each two of them, with its time. `None` before the second crossing.
 fn half_swings(series: &[(f64, f64)]) -> Option<(f64, Vec<(f64, f64)>)> {
     let mut crossings = Vec::new();
     let mut peaks: Vec<(f64, f64)> = Vec::new();

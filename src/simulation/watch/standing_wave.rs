@@ -5,7 +5,7 @@ use crate::pairs::Fluid;
 use crate::simulation::named_readings::Readings;
 use crate::theory::standing_wave::StandingWave;
 
-/// Follows how much of the wave's flow the water has.
+/// Follows the share of the wave's flow in the water's motion.
 pub(super) struct Swing {
     wave: StandingWave,
     surface_speed: f64,
@@ -18,13 +18,13 @@ impl Swing {
         Swing { wave, surface_speed, viscosity, series: Vec::new() }
     }
 
-    /// None where the wave is too viscous to swing.
+    /// None if the wave is too viscous to swing.
     fn exact(&self) -> Option<Exact> {
         let period = std::f64::consts::TAU / self.wave.frequency();
         if self.viscosity == 0.0 {
             return Some(Exact { period, peaks: None });
         }
-        // A swing more than the water has been given time for.
+        // One period more than the water had.
         let until = self.series.last().map_or(0.0, |last| last.0) + period;
         let (half, peaks) = half_swings(&self.wave.swing(self.viscosity, until))?;
         Some(Exact { period: 2.0 * half, peaks: Some(peaks) })
@@ -64,16 +64,17 @@ impl Watch for Swing {
     }
 }
 
-/// What linear theory says of a wave.
+/// The wave by linear theory.
 struct Exact {
-    /// From swing to swing, seconds.
+    /// Period, seconds.
     period: f64,
-    /// Its peaks with their times, of a wave that decays.
+    /// Its peaks with their times, if it decays.
     peaks: Option<Vec<(f64, f64)>>,
 }
 
 impl Exact {
-    /// What is left from the first to the last of so many peaks, and the rate of that, 1/s.
+    /// The share that is left from the first to the last of this many peaks, and its decay rate,
+    /// 1/s.
     fn between(&self, count: usize) -> Option<(f64, f64)> {
         let Some(peaks) = &self.peaks else { return Some((1.0, 0.0)) };
         let (first, last) = (peaks.first()?, peaks.get(count.checked_sub(1)?)?);

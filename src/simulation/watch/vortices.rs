@@ -5,7 +5,7 @@ use crate::pairs::Fluid;
 use crate::simulation::named_readings::Readings;
 use crate::theory::taylor_green::TaylorGreen;
 
-/// Follows how much of the vortices is left.
+/// Follows the share of the vortices that is left.
 pub(super) struct Vortices {
     flow: TaylorGreen,
     viscosity: f64,
