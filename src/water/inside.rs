@@ -7,7 +7,7 @@ use crate::pairs::{Double, Eight, Here, Summed};
 /// A particle a spacing behind both walls of a corner of 30° takes some fifty pushes.
 const MOST_PUSHES: usize = 64;
 
-/// How far in front of the face they are put, spacings.
+/// Distance before the face at which particles are put, spacings.
 const SKIN: f64 = 1e-3;
 
 /// Puts particles that have slipped through a wall back onto its face, with its velocity.
@@ -23,8 +23,8 @@ pub struct HoldInside<'a> {
 }
 
 impl<'a> HoldInside<'a> {
-    /// Of so many particles, with their masses, kg/m, their spacing, m, and gravity, m/s². The walls are these ghosts,
-    /// with the places of their faces at the end of the step and their motions.
+    /// For this many particles, with their masses, kg/m, their spacing, m, and gravity, m/s². The
+    /// walls are these ghosts, with their faces at the end of the step and their motions.
     pub fn of(
         (all, mass): (usize, &'a [f64]),
         [spacing, gravity]: [f64; 2],
@@ -72,7 +72,7 @@ fn square([x, y]: [f64; 2]) -> f64 {
     x * x + y * y
 }
 
-/// Puts a particle back that has slipped through an uneven bed, which stands.
+/// Puts a particle back that has slipped through an uneven bed, which is at rest.
 fn hold_above(place: &mut [f64; 2], velocity: &mut [f64; 2], bed: &Profile, skin: f64) {
     if place[1] >= bed.height(place[0]) {
         return;
@@ -90,8 +90,8 @@ fn hold(
     (planes, bodies): (&[Plane], &[BodyMotion]),
     skin: f64,
 ) {
-    // In an acute corner one wall may push behind the other, and that one back, nearer to the
-    // corner each time.
+    // In an acute corner one wall may push a particle behind the other, and that one back. It gets
+    // nearer to the corner each time.
     for _ in 0..MOST_PUSHES {
         let crossed = planes.iter().zip(bodies).find(|(plane, _)| plane.beyond(*place) > 0.0);
         let Some((plane, motion)) = crossed else { break };
@@ -121,8 +121,8 @@ mod tests {
     use crate::math::simd::SimdPath;
     use crate::pairs::{Fluid, sum_in_turn};
 
-    /// Holds still particles between a bed and a wall that leans over the water by an angle, and
-    /// moves at `speed`. Tells them, the faces, and the energy gained per mass.
+    /// Holds particles at rest between a bed and a wall that moves at `speed` and leans over the
+    /// water by an angle. Returns the particles, the faces, and the energy gained per mass.
     fn held(places: &[[f64; 2]], angle: f64, speed: f64) -> (Fluid, [Plane; 2], f64) {
         let bed = Plane { point: [0.0; 2], normal: [0.0, -1.0] };
         let wall = Plane { point: [1.0, 0.0], normal: [angle.sin(), angle.cos()] };
@@ -140,8 +140,8 @@ mod tests {
         (fluid, planes, gained / mass)
     }
 
-    /// The wall of an acute corner pushes particles behind the bed, which a visit of each wall in
-    /// turn has already passed by.
+    /// The wall of an acute corner pushes particles behind the bed. A single visit of each wall in
+    /// turn has then already passed the bed.
     #[test]
     fn a_particle_in_an_acute_corner_ends_in_front_of_both_walls() {
         for degrees in [30.0_f64, 45.0, 60.0, 90.0, 120.0] {
@@ -161,7 +161,7 @@ mod tests {
         let (fluid, _, gained) = held(&places, std::f64::consts::FRAC_PI_2, -0.2);
         assert!((fluid.x[0] - 0.999).abs() < 1e-12 && (fluid.vx[0] + 0.2).abs() < 1e-12);
         assert_eq!([fluid.x[1], fluid.vx[1]], [0.9, 0.0]);
-        // The one that the bed lifts gains by its weight.
+        // The particle that the bed lifts gains potential energy.
         assert!((gained - (0.5 * 0.2 * 0.2 + 9.81 * 0.101)).abs() < 1e-12, "{gained} J/kg");
     }
 }

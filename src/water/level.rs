@@ -3,13 +3,13 @@
 /// Steps of half a spacing in which every surface is found.
 const MOST_STEPS: f64 = 1e5;
 
-/// Level of the water, metres: going up from `from`, the first height at which the share of the
-/// kernel that is water falls to 1/2. It is `from` where that is dry.
+/// Level of the water, metres. Going up from `from`, it is the first height at which the share of
+/// the kernel that is water falls to 1/2. It is `from` if that is dry.
 pub fn first_level(share: impl FnMut(f64) -> f64, from: f64, spacing: f64) -> f64 {
     level_up_to(share, [from, from + 0.5 * spacing * MOST_STEPS], spacing)
 }
 
-/// [`first_level`] between two heights; the upper one where there is water up to it.
+/// [`first_level`] between two heights; the upper one if the water reaches it.
 pub fn level_up_to(
     mut share: impl FnMut(f64) -> f64,
     [from, highest]: [f64; 2],

@@ -1,5 +1,4 @@
-//! What every scheme does with its water, as functions over the water's fields: they know no
-//! scheme.
+//! Functions over the water's fields that every scheme uses. They do not depend on a scheme.
 
 mod inside;
 mod level;

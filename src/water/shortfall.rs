@@ -1,24 +1,23 @@
-//! What tells how close particles are, in even water under a level surface.
+//! The expected measure of crowding in evenly spread water under a level surface.
 
 use crate::kernel::KernelChoice;
 
-/// Depths below the surface, over R, from which volume is taken back, and from which wholly so. Above, the
-/// surface is too near to tell the volume.
+/// Depths below the surface, over R, between which the correction of volume fades in. Above, the
+/// surface is too near for the volume to be measured.
 pub const VOLUME_DEPTHS: [f64; 2] = [0.4, 0.6];
 
-/// What ½ tr Σ V_j (x_j - x_i) ⊗ ∇W falls short by in even water, row by row under a level surface.
-///
-/// It is that of the lattice from which water starts. So water starts at rest.
+/// The shortfall of ½ tr Σ V_j (x_j - x_i) ⊗ ∇W below 1, row by row under a level surface in evenly
+/// spread water. It is that of the lattice from which water starts, so water starts at rest.
 #[derive(Debug, Clone)]
 pub struct Shortfall {
-    /// Of rows half a spacing below the surface, and a spacing more each.
+    /// For rows at half a spacing below the surface, and a spacing deeper each.
     rows: Vec<f64>,
     /// R over the particle spacing.
     support: f64,
 }
 
 impl Shortfall {
-    /// That of a kernel whose support is so many spacings.
+    /// For a kernel whose support is this many spacings.
     pub fn of(kernel: KernelChoice, support: f64) -> Shortfall {
         let reach = support.ceil() as i32;
         let slope = kernel.normalisation() / support.powi(3);
@@ -46,8 +45,9 @@ impl Shortfall {
 mod tests {
     use super::*;
 
-    /// Under a straight surface ½ tr Σ is C - ½ d dC/dd, C the share of the kernel below the surface. For ∫ r·∇W
-    /// over a half-plane is what passes its edge less 2C.
+    /// Under a straight surface ½ tr Σ is C - ½ d dC/dd, where C is the share of the kernel below
+    /// the surface. This holds because ∫ r·∇W over a half-plane is the flow through its edge less
+    /// 2C.
     #[test]
     fn rows_fall_short_like_the_half_plane() {
         let kernel = KernelChoice::WendlandC2;

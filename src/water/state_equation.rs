@@ -1,4 +1,4 @@
-//! Pressure from density, and the elastic energy that goes with it.
+//! Pressure from density, and the elastic energy.
 
 use serde::{Deserialize, Serialize};
 
