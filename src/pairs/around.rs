@@ -1,4 +1,4 @@
-//! Sums over the neighbours of eight particles, of which the geometry is not yet known.
+//! Sums over the neighbours of eight particles whose geometry is not yet known.
 
 use super::fields::Here;
 use super::geometry::{CHUNK, Fill, Geometry};
@@ -21,7 +21,7 @@ pub enum Records<'a> {
     Single(&'a [SingleRecord]),
 }
 
-/// What full passes read of all particles and ghosts.
+/// The data of all particles and ghosts for full passes.
 #[derive(Clone, Copy)]
 pub struct Neighbours<'a> {
     /// The kernel.
@@ -38,20 +38,20 @@ pub struct Neighbours<'a> {
 pub struct Sums<T: Term> {
     /// Σ V_j ∇W.
     pub gradient: [Eight; 2],
-    /// What the terms have summed.
+    /// The sums of the terms.
     pub terms: T::Total,
     /// How many neighbours are in reach.
     count: usize,
 }
 
-/// The neighbours of eight particles: the water, then the ghosts of one body after the other. Pairs in
-/// reach are held for the passes that follow.
+/// The neighbours of eight particles: first the water, then the ghosts of one body after another.
+/// Pairs in reach are held for the passes that follow.
 pub struct Around<'a> {
     pub(super) neighbours: &'a Neighbours<'a>,
     pub(super) pairs: &'a PairList,
     pub(super) held: &'a mut HeldPairs,
     pub(super) near: &'a mut Vec<[Eight; 2]>,
-    /// What is summed over all particles.
+    /// Sums over all particles.
     pub tally: &'a mut Tally,
     pub(super) here: Here,
 }
@@ -62,14 +62,14 @@ impl Around<'_> {
         self.neighbours.bodies
     }
 
-    /// Sums over the water. Comes first.
+    /// Sums over the water. Must be called first.
     #[inline(always)]
     pub fn water<D: Lanes, T: Term>(&mut self, terms: T) -> Sums<T> {
         let entries = self.pairs.group(self.here.list, 0);
         self.group::<D, T>(entries, terms)
     }
 
-    /// Sums over a body's ghosts, if there are any near. Each body has its turn.
+    /// Sums over a body's ghosts, if any are near. Must be called for each body in turn.
     #[inline(always)]
     pub fn ghosts<D: Lanes, T: Term>(&mut self, body: usize, terms: T) -> Option<Sums<T>> {
         let entries = self.pairs.group(self.here.list, body + 1);
@@ -107,7 +107,7 @@ struct Group<'a, N, T> {
     places: [&'a [f64]; 2],
     records: &'a [N],
     terms: T,
-    /// The listed neighbours, and room for those in reach.
+    /// The listed neighbours, and memory for those in reach.
     entries: &'a [u32],
     room: (&'a mut [u32], &'a mut [Slopes]),
     here: Here,
@@ -135,7 +135,7 @@ impl<N: Neighbour, T: Term> Group<'_, N, T> {
         let mut count = 0;
         for chunk in entries.chunks(CHUNK) {
             let room = &mut geometry;
-            // The only place that knows the kernel: a function of its own for each.
+            // Only this depends on the kernel: a function of its own for each.
             let in_reach = with_kernel!(kernel, K => {
                 L::call(Fill::<K, R, N>::new(room, places, chunk, records))
             });

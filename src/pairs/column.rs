@@ -6,7 +6,7 @@ use crate::kernel::{Kernel, KernelChoice, shape_within};
 use crate::math::simd::{LANES, Lanes, SimdPath, Task, dispatch};
 use crate::with_kernel;
 
-/// Room from the start for so many blocks, so that runup needs none.
+/// Memory reserved for this many blocks, so that runup needs none.
 const ROOM: usize = 128;
 
 /// Particles near an upright line, eight at a time: their distance from it and their height, over
@@ -25,7 +25,7 @@ impl Column {
         self.len = 0;
     }
 
-    /// Takes up a particle: its distance from the line and its height, over R, and its volume, m².
+    /// Adds a particle: its distance from the line and its height, over R, and its volume, m².
     pub fn push(&mut self, x: f64, y: f64, volume: f64) {
         let lane = self.len % LANES;
         if lane == 0 {

@@ -8,7 +8,7 @@ use crate::math::simd::Lanes;
 pub struct Factors(pub [f64; 8]);
 
 impl Factors {
-    /// Of a pressure times its correction, P, at a place: P_xx, P_xy, P_yy, (P r)_x, (P r)_y.
+    /// For a pressure times its correction, P, at a place r: P_xx, P_xy, P_yy, (P r)_x, (P r)_y.
     #[inline(always)]
     pub fn of_pressure<D: Lanes>([xx, xy, yy]: [D; 3], [x, y]: [D; 2]) -> [D; 8] {
         let nothing = D::splat(0.0);

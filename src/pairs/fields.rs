@@ -5,8 +5,8 @@ use std::ops::Range;
 use super::record::Record;
 use crate::math::simd::{LANES, Lanes, Task, Vector};
 
-/// Eight particles that are computed together. Fields are those of all water; rows are those of the
-/// particles that the pass is at.
+/// Eight particles that are computed together. Fields have all the water; rows have only the
+/// particles of the present part.
 #[derive(Debug, Clone, Copy)]
 pub struct Here {
     /// The first of them in the fields.
@@ -35,7 +35,7 @@ impl Here {
         (self.at / LANES) as u32
     }
 
-    /// Their numbers; those of padding are beyond the last particle's.
+    /// Their numbers. Those of padding are beyond the last particle's number.
     #[inline(always)]
     pub fn numbers(self) -> Range<usize> {
         self.at..self.at + LANES
@@ -81,7 +81,7 @@ impl Here {
         [R::load(&first), R::load(&second)]
     }
 
-    /// Some of the numbers that their records have: see [`Record`].
+    /// Some of the numbers in their records: see [`Record`].
     #[inline(always)]
     pub fn slots<R: Vector, const N: usize>(self, records: &[Record], slots: [usize; N]) -> [R; N] {
         let mut values = [R::splat(0.0); N];
@@ -113,7 +113,7 @@ impl Here {
         store(rows, self.to, value);
     }
 
-    /// Writes the values of those that are no padding to the rows, of `all` particles.
+    /// Writes the values of those that are not padding to the rows; there are `all` particles.
     #[inline(always)]
     pub fn put_within<D: Lanes>(self, all: usize, rows: &mut [f64], value: D) {
         if self.at + LANES <= all {
@@ -124,7 +124,7 @@ impl Here {
         rows[self.to..self.to + count].copy_from_slice(&values[..count]);
     }
 
-    /// Writes eight numbers of each of them to rows of such.
+    /// Writes eight numbers for each of them to rows.
     #[inline(always)]
     pub fn put_numbers<D: Lanes, N: AsMut<[f64; 8]>>(self, rows: &mut [N], numbers: [D; 8]) {
         D::store_records(numbers, rows[self.to..self.to + LANES].first_chunk_mut().unwrap());
@@ -146,7 +146,7 @@ fn lanes<L: Lanes>(field: &[f64], at: usize) -> L {
     L::load(field[at..at + LANES].first_chunk().unwrap())
 }
 
-/// Eight values of each field. (A map over the array would be a function of its own, compiled
+/// Eight values of each field. (A map over the array would become a function of its own, compiled
 /// without the path's instructions.)
 #[inline(always)]
 fn all_lanes<L: Lanes, const N: usize>(fields: [&[f64]; N], at: usize) -> [L; N] {
@@ -163,7 +163,7 @@ fn store<L: Lanes>(field: &mut [f64], at: usize, value: L) {
     value.store(field[at..at + LANES].first_chunk_mut().unwrap());
 }
 
-/// How far from `from` to `to` each value is: 0 at `from` and below it, 1 at `to` and above.
+/// Position of each value between `from` and `to`: 0 at `from` and below, 1 at `to` and above.
 pub struct Ramp<'a> {
     /// The values.
     pub values: &'a [f64],
@@ -171,7 +171,7 @@ pub struct Ramp<'a> {
     pub from: f64,
     /// See above.
     pub to: f64,
-    /// As long, whole vectors.
+    /// The results, in whole vectors.
     pub shares: &'a mut [f64],
 }
 
@@ -190,7 +190,7 @@ impl Task for Ramp<'_> {
 
 /// places + a · velocities + b · accelerations.
 pub struct Extrapolate<'a> {
-    /// What is found, metres.
+    /// The result, metres.
     pub ahead: &'a mut [f64],
     /// Metres.
     pub places: &'a [f64],

@@ -1,35 +1,35 @@
-//! The numbers of a neighbour that a pass over velocities sums, and the sums of differences that they
-//! make: Σ g (u_i - u_j) Δ = u_i Σ g Δ - (r_i Σ g u_j - Σ g u_j r_j).
+//! The numbers of a neighbour that a pass over velocities sums, and the sums of differences that
+//! follow: Σ g (u_i - u_j) Δ = u_i Σ g Δ - (r_i Σ g u_j - Σ g u_j r_j).
 
 use super::factors::Factors;
 use super::held::{Added, HeldPairs, Product};
 use super::term::Eight;
 use crate::math::simd::{LANES, Lanes};
 
-/// What a continuity pass wants: each record begins with the numbers for it, and the pass sums no
-/// others. First u, v, u x and v y; then u y + v x, in one number or, for the strain, in two; then
-/// the neighbour's share times ψ, and its share.
+/// The sums that a continuity pass needs. Each record starts with the numbers for them, and the
+/// pass sums no others. First come u, v, u x and v y. Then comes u y + v x, as one number, or as
+/// two for the strain rate. Last come the neighbour's share times ψ, and its share.
 #[derive(Debug, Clone, Copy)]
 pub struct Flow {
-    /// Gradients are corrected: u y and v x count, too.
+    /// Whether gradients are corrected: u y and v x are then needed too.
     pub corrected: bool,
-    /// The strain is wanted, by the full step that comes next: u y and v x apart. Only where
-    /// gradients are corrected.
+    /// Whether the next full step needs the strain rate: u y and v x separately. Only with
+    /// corrected gradients.
     pub strained: bool,
-    /// Density diffuses.
+    /// Whether density diffuses.
     pub diffusing: bool,
-    /// The sum of the shares is not yet known: it is that of the first pass since the full step.
+    /// Whether the sum of the shares is still unknown: in the first pass of a full step.
     pub sharing: bool,
 }
 
 impl Flow {
-    /// How many numbers there are of velocities.
+    /// Number of the velocities' numbers.
     #[inline(always)]
     fn velocities(self) -> usize {
         4 + usize::from(self.corrected) + usize::from(self.strained)
     }
 
-    /// How many numbers there are of fluid.
+    /// Number of a fluid particle's numbers.
     #[inline(always)]
     fn all(self) -> usize {
         let of_diffusion = if self.diffusing { 1 + usize::from(self.sharing) } else { 0 };
@@ -51,8 +51,8 @@ impl Flow {
         [u, v, u * x, v * y, fifth, sixth, seventh, eighth]
     }
 
-    /// Adds the sums over a cluster's pairs with a group: the fluid, 0, or a body's ghosts, of which
-    /// velocities alone count.
+    /// Adds the sums over a cluster's pairs with a group: the fluid, 0, or a body's ghosts, of
+    /// which only velocities are summed.
     #[inline(always)]
     pub(super) fn add<L: Lanes>(
         self,
@@ -77,7 +77,7 @@ impl Flow {
     }
 }
 
-/// What a particle itself has to do with sums of differences.
+/// The particle's own part in sums of differences.
 #[derive(Clone, Copy)]
 pub struct Own<D> {
     /// Its place over R.
@@ -112,7 +112,7 @@ impl FlowSums {
         [vx.mul_sub(gx, x.mul_sub(u, self.number(2))), vy.mul_sub(gy, y.mul_sub(v, self.number(3)))]
     }
 
-    /// Σ g (u_i - u_j) Δ_y and Σ g (v_i - v_j) Δ_x: of a flow whose strain is wanted.
+    /// Σ g (u_i - u_j) Δ_y and Σ g (v_i - v_j) Δ_x, if the strain rate is needed.
     #[inline(always)]
     pub fn across<D: Lanes>(&self, own: &Own<D>) -> [D; 2] {
         let Own { place: [x, y], velocity: [vx, vy], gradient: [gx, gy] } = *own;
@@ -120,7 +120,7 @@ impl FlowSums {
         [vx.mul_sub(gy, y.mul_sub(u, self.number(4))), vy.mul_sub(gx, x.mul_sub(v, self.number(5)))]
     }
 
-    /// The sum of both, whether they are summed apart or as one: of a flow that is corrected.
+    /// The sum of both, in either form, if gradients are corrected.
     #[inline(always)]
     pub fn aslant<D: Lanes>(&self, own: &Own<D>) -> D {
         if self.flow.strained {
@@ -139,7 +139,7 @@ impl FlowSums {
         self.number(self.flow.velocities())
     }
 
-    /// Σ g s_j, where it is wanted.
+    /// Σ g s_j, if it is needed.
     #[inline(always)]
     pub fn shares<D: Lanes>(&self) -> Option<D> {
         if self.flow.sharing { Some(self.number(self.flow.velocities() + 1)) } else { None }

@@ -6,8 +6,8 @@ use crate::math::simd::LANES;
 
 /// Fluid particles, one array per field, in the order of the neighbour search.
 ///
-/// Every array is padded to whole vectors; a padding entry repeats the last particle's place and
-/// has no mass, so that it never counts.
+/// Every array is padded to whole vectors. A padding entry repeats the last particle's place and
+/// has no mass, so it never counts.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Fluid {
     len: usize,
@@ -79,7 +79,7 @@ impl Fluid {
         for field in self.fields_mut() {
             reorder(&mut field[..len], order, scratch);
         }
-        // A number of 32 bits passes through a float unharmed.
+        // A number of 32 bits passes through a float unchanged.
         scratch.clear();
         scratch.extend(order.iter().map(|&from| f64::from(self.id[from as usize])));
         for (id, number) in self.id.iter_mut().zip(scratch) {
@@ -88,7 +88,7 @@ impl Fluid {
         self.pad();
     }
 
-    /// Keeps some of the particles, in their order: those with these places in the arrays.
+    /// Keeps the particles at these places in the arrays, in their order.
     pub fn keep(&mut self, kept: &[u32]) {
         self.len = kept.len();
         for field in self.fields_mut() {

@@ -1,7 +1,7 @@
-//! Geometry of pairs, ahead of the sums that need it.
+//! The geometry of pairs, found before the sums that need it.
 //!
-//! 1/q takes a long chain of dependent products: a loop that finds it for many neighbours first
-//! keeps more of them under way at once than one that goes on to the sums of each.
+//! 1/q takes a long chain of dependent products. A loop that only finds 1/q for many neighbours
+//! overlaps more of these chains than a loop that also forms the sums.
 
 use std::marker::PhantomData;
 use std::mem::MaybeUninit;
@@ -12,10 +12,10 @@ use crate::math::simd::{Lanes, Task, Vector};
 use super::precision::Neighbour;
 use super::record::Record;
 
-/// Neighbours that are taken at a time: as many as a word has bits.
+/// Number of neighbours taken at a time: the bits of a word.
 pub(super) const CHUNK: usize = u64::BITS as usize;
 
-/// Squared distances below this (in support radii) count as this: a particle and itself.
+/// Smaller squared distances (in support radii) are replaced by this: a particle and itself.
 pub(super) const COINCIDENT: f64 = 1e-12;
 
 /// Pairs of eight particles with one neighbour.
@@ -25,7 +25,7 @@ pub struct Pair<R> {
     pub dx: R,
     /// Its y.
     pub dy: R,
-    /// To divide by q² = |Δ|²: see [`Pair::over_square`].
+    /// For divisions by q² = |Δ|²: see [`Pair::over_square`].
     pub(super) divisor: R,
     /// g, the kernel's slope over q times the neighbour's weight.
     pub(super) slope: R,
@@ -51,7 +51,7 @@ impl<R: Vector> Pair<R> {
         self.slope
     }
 
-    /// |Δ|², and a little more: a particle and itself are not in one place.
+    /// Δ|², and slightly more, so that it is not zero for a particle and itself.
     #[inline(always)]
     pub fn square(&self) -> R {
         let Pair { dx, dy, .. } = *self;
@@ -74,12 +74,12 @@ impl<R: Vector> Geometry<R> {
         Geometry([const { MaybeUninit::uninit() }; CHUNK])
     }
 
-    /// The pairs in reach that are to be visited in a turn: of two turns, every other one each.
+    /// The pairs in reach for one turn. With two turns each gets every other pair.
     #[inline(always)]
     pub(super) fn visit(&self, in_reach: InReach, turn: usize) -> Visits<'_, R> {
         let mut mask = in_reach.0;
         if R::TURNS > 1 {
-            // Bit k of the parities tells whether an odd number of bits are set up to it.
+            // Bit k of the parities tells whether an odd number of bits up to it are set.
             let mut parities = mask;
             for shift in [1, 2, 4, 8, 16, 32] {
                 parities ^= parities << shift;
@@ -90,8 +90,8 @@ impl<R: Vector> Geometry<R> {
     }
 }
 
-/// Which pairs of a chunk are in reach: bit k for number k. Only [`Fill`] makes it, for pairs that it
-/// has written.
+/// Which pairs of a chunk are in reach: bit k for number k. Only [`Fill`] makes it, for pairs that
+/// it has written.
 #[derive(Clone, Copy)]
 pub(super) struct InReach(u64);
 
@@ -103,11 +103,11 @@ impl InReach {
     }
 }
 
-/// Finds the geometry of up to [`CHUNK`] neighbours of eight places and tells which are in reach of one
-/// of them. Ghosts without a weight are not.
+/// Finds the geometry of up to [`CHUNK`] neighbours of eight places, and which of them are in reach
+/// of at least one place. Ghosts without a weight are not.
 ///
-/// All are written, each to its own place: a place that depended on how many before it are in reach
-/// would keep later loads waiting for that.
+/// All are written, each to its own place. If a place depended on how many earlier ones are in
+/// reach, later loads would have to wait for that.
 pub(super) struct Fill<'a, K, R, N> {
     geometry: &'a mut Geometry<R>,
     places: [[R; 2]; 2],
@@ -178,8 +178,8 @@ mod tests {
     use crate::math::simd::{LANES, SimdPath, dispatch};
     use crate::pairs::SingleRecord;
 
-    /// Which of neighbours on a line, one tenth of R apart, are visited, how often, and how far away
-    /// along x; in double precision, then in single.
+    /// Neighbours on a line, one tenth of R apart: which are visited, how often, and how far away
+    /// along x, in double precision, then in single.
     struct Visited(usize);
 
     impl Task for Visited {

@@ -1,7 +1,7 @@
-//! The pairs in reach as the last full step has found them, and sums over them.
+//! The pairs in reach from the last full step, and sums over them.
 //!
-//! What a pass over held pairs wants is always Σ_j g_ij f_j, for a few numbers f that belong to the
-//! neighbour alone: Σ g u_j (r_i - r_j) = r_i Σ g u_j - Σ g u_j r_j. A pair then costs one product
+//! A pass over held pairs always needs Σ_j g_ij f_j, for a few numbers f that depend on the
+//! neighbour alone: Σ g u_j (r_i - r_j) = r_i Σ g u_j - Σ g u_j r_j. So a pair costs one product
 //! per number, and no place is read again. Places are in support radii from the scene's origin, so
 //! the difference loses two or three of sixteen digits.
 
@@ -9,26 +9,27 @@ use super::factors::Factors;
 use super::pair_list::PairList;
 use crate::math::simd::{LANES, Lanes, Task};
 
-/// What the passes after the first read of a pair's geometry: g, the kernel's slope over q times
-/// the neighbour's weight, a value per lane. Single precision halves the traffic; its rounding,
-/// 6e-8 of each term, is far below what the sums are accurate to.
+/// The geometry of a pair for later passes: g, the kernel's slope over q times the neighbour's
+/// weight, a value per lane. Single precision halves the memory traffic. Its rounding, 6e-8 of each
+/// term, is far below the accuracy of the sums.
 #[derive(Debug, Clone, Copy, Default)]
 #[repr(C, align(32))]
 pub(super) struct Slopes(pub [f32; LANES]);
 
-/// Neighbours in reach of a cluster, fewer than in its list: no margin, nothing without a weight.
+/// Neighbours in reach of a cluster. They are fewer than in its list, which has a margin and ghosts
+/// without a weight.
 #[derive(Debug, Clone, Default)]
 pub(super) struct HeldPairs {
     groups: usize,
-    /// Ends of the groups of all clusters, a zero ahead of them.
+    /// Ends of the groups of all clusters, after a zero.
     ends: Vec<u32>,
     entries: Vec<u32>,
     slopes: Vec<Slopes>,
 }
 
 impl HeldPairs {
-    /// Room for all pairs of a list; a quarter more than that where there was too little, so that the lists
-    /// of water that spreads a little find it again.
+    /// Reserves memory for all pairs of a list. If there was too little, it reserves a quarter
+    /// more, for water that spreads a little.
     pub fn make_room(&mut self, pairs: &PairList) {
         if self.entries.len() < pairs.len() {
             let room = pairs.len() + pairs.len() / 4;
@@ -39,7 +40,7 @@ impl HeldPairs {
         self.ends.reserve(ends.saturating_sub(self.ends.len()));
     }
 
-    /// Forgets all pairs, to take up those of clusters with so many groups.
+    /// Forgets all pairs, for clusters with this many groups.
     pub fn restart(&mut self, groups: usize) {
         self.groups = groups;
         self.ends.clear();
@@ -51,14 +52,14 @@ impl HeldPairs {
         self.ends.last().map_or(0, |&end| end as usize)
     }
 
-    /// Where the next group's pairs go, at most `count` of them.
+    /// Memory for the next group's pairs, at most `count` of them.
     #[inline(always)]
     pub fn room(&mut self, count: usize) -> (&mut [u32], &mut [Slopes]) {
         let range = self.len()..self.len() + count;
         (&mut self.entries[range.clone()], &mut self.slopes[range])
     }
 
-    /// Ends a group for which so many pairs were written.
+    /// Ends a group for which this many pairs were written.
     #[inline(always)]
     pub fn close(&mut self, count: usize) {
         self.ends.push((self.len() + count) as u32);
@@ -73,13 +74,13 @@ impl HeldPairs {
     }
 }
 
-/// Slopes are sent for when so many others come first: all of them are more than a core's own caches
-/// hold, and they are read in turn.
+/// Slopes are prefetched this many entries ahead. All of them together do not fit into a core's own
+/// caches, and they are read in order.
 pub(super) const AHEAD: usize = 64;
 
-/// Sends for the numbers of neighbours that the fourth cluster from here will be the first to reach.
-/// Neighbours are numbered strip by strip and listed in turn: the last of a list lies in the strip
-/// that is farthest ahead, the only one of which nothing has been read yet.
+/// Prefetches the numbers of neighbours that the fourth cluster from here is the first to reach.
+/// Neighbours are numbered strip by strip and listed in order. So the last of a list lies in the
+/// farthest strip, the only one of which nothing has been read yet.
 #[inline(always)]
 pub(super) fn prefetch_first_reached<L: Lanes, T>(all: &[T], entries: &[u32]) {
     if let Some(&last) = entries.last() {
@@ -102,7 +103,7 @@ impl<const N: usize> Product<'_, N> {
     fn sums<L: Lanes>(self) -> [L; N] {
         let (entries, slopes) = self.pairs.group(self.cluster, self.group);
         prefetch_first_reached::<L, _>(self.factors, entries);
-        // Two sums each, in turns: one alone would wait for its own additions.
+        // Two sums each, in turns: a single one would wait for its own additions.
         let mut even = [L::splat(0.0); N];
         let mut odd = [L::splat(0.0); N];
         let (entries, last) = entries.as_chunks::<2>();

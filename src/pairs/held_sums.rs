@@ -1,4 +1,4 @@
-//! Sums over the held pairs of eight particles, which need neither distances nor the kernel.
+//! Sums over the held pairs of eight particles, without distances or the kernel.
 
 use std::ops::RangeInclusive;
 
@@ -17,7 +17,7 @@ use crate::math::simd::{LANES, Lanes, Task};
 pub struct Held<'a, 'p> {
     pub(super) pairs: &'p HeldPairs,
     pub(super) near: &'a mut std::slice::Iter<'p, [Eight; 2]>,
-    /// What is summed over all particles.
+    /// Sums over all particles.
     pub tally: &'a mut Tally,
     pub(super) here: Here,
 }
@@ -36,15 +36,15 @@ impl Held<'_, '_> {
         [D::load(x), D::load(y)]
     }
 
-    /// Σ g f over the water (group 0) or a body's ghosts (1 and on), for the first numbers f of each
-    /// neighbour.
+    /// Σ g f over the water (group 0) or a body's ghosts (from 1 on), for the first numbers f of
+    /// each neighbour.
     #[inline(always)]
     pub fn sum<D: Lanes, const N: usize>(&self, group: usize, factors: &[Factors]) -> [D; N] {
         let (pairs, cluster) = (self.pairs, self.here.list);
         loaded(&D::call(Product::<N> { pairs, factors, cluster, group }))
     }
 
-    /// Sums of the flow over some groups: the water, 0, and bodies' ghosts, 1 and on.
+    /// Sums of the flow over some groups: the water (0) and bodies' ghosts (from 1 on).
     #[inline(always)]
     pub fn flow<D: Lanes>(
         &self,
@@ -61,8 +61,8 @@ impl Held<'_, '_> {
         FlowSums::new(flow, sums)
     }
 
-    /// Sums of terms over the water (group 0) or a body's ghosts (1 and on), if any are in reach, with
-    /// the places that the records have.
+    /// Sums of terms over the water (group 0) or a body's ghosts (from 1 on), if any are in reach.
+    /// Places are those of the records.
     #[inline(always)]
     pub fn terms<D: Lanes, T: Term>(
         &self,

@@ -1,4 +1,4 @@
-//! The water's pairs: its neighbour lists, when they are worn, and how they are made.
+//! The water's pairs: its neighbour lists, when they are out of date, and how they are made.
 
 use std::mem::take;
 
@@ -14,10 +14,10 @@ use crate::math::team::Team;
 const WATER_MARGIN: f64 = 0.4;
 /// Margin of the lists that involve ghosts, in particle spacings.
 pub const GHOST_MARGIN: f64 = 1.5;
-/// The water and the ghosts of so many bodies are listed at most.
+/// Largest number of listed sets: the water, and the ghosts of each body.
 const MOST_SETS: usize = 8;
 
-/// The pairs of the water with itself and with ghosts, and who goes through them.
+/// The pairs of the water with itself and with ghosts, and the passes over them.
 #[derive(Debug, Clone)]
 pub struct Pairs {
     /// The instructions of the loops.
@@ -28,7 +28,7 @@ pub struct Pairs {
     drift: Drift,
     /// x and y of the water where the lists were made, metres.
     reference: [Vec<f64>; 2],
-    /// How far the bodies were moved then, metres.
+    /// Offsets of the bodies at that time, metres.
     offsets: Vec<f64>,
     /// Kernel's support radius, metres.
     radius: f64,
@@ -60,7 +60,7 @@ impl Pairs {
         }
     }
 
-    /// Takes on a team; lists must not have been made yet.
+    /// Sets the team. No lists must have been made yet.
     pub fn take_on(&mut self, team: &Team) {
         assert!(!self.are_listed(), "lists are in the parts of another team");
         self.team = team.clone();
@@ -76,7 +76,7 @@ impl Pairs {
         (&self.strips, &self.reference[0], &self.reference[1])
     }
 
-    /// How far ghosts are listed, metres.
+    /// Distance up to which ghosts are listed, metres.
     pub fn ghost_reach(&self) -> f64 {
         self.radius + GHOST_MARGIN * self.spacing
     }
@@ -86,21 +86,21 @@ impl Pairs {
         self.rebuilds
     }
 
-    /// What must be kept to make the same lists again: x and y of the water where they were made, and how
-    /// far the bodies were moved then, metres.
+    /// The data that give the same lists again: x and y of the water where they were made, and the
+    /// offsets of the bodies then, metres.
     pub fn reference(&self) -> ([&[f64]; 2], &[f64]) {
         ([&self.reference[0], &self.reference[1]], &self.offsets)
     }
 
-    /// Goes back to what was kept; the lists are still to be made.
+    /// Goes back to stored data. The lists must then be made again.
     pub fn restore(&mut self, reference: [Vec<f64>; 2], offsets: Vec<f64>, rebuilds: u64) {
         (self.reference, self.offsets, self.rebuilds) = (reference, offsets, rebuilds);
         let [x, y] = &self.reference;
         self.strips = Strips::of_sorted(x, y, Strips::width(self.spacing));
     }
 
-    /// Whether a pair may have come into reach unseen: with the water at these places and the bodies
-    /// moved this far.
+    /// Whether a pair may have come into reach unseen, with the water at these places and these
+    /// offsets of the bodies.
     pub fn are_worn(&mut self, places: [&[f64]; 2], offsets: impl Iterator<Item = f64>) -> bool {
         if !self.are_listed() {
             return true;
@@ -110,12 +110,11 @@ impl Pairs {
         let (met, farthest) = self.drift.measure(places, [x, y], reach);
         let moved = offsets.zip(&self.offsets).map(|(new, old)| (new - old).abs());
         let near = farthest + moved.fold(0.0, f64::max) < GHOST_MARGIN * self.spacing;
-        // So that NaN counts as worn.
+        // So NaN counts as out of date.
         met || !near
     }
 
-    /// Sorts the water anew and takes along what belongs to its particles: fields, and fields of two
-    /// numbers each.
+    /// Sorts the water again, together with its particles' fields and fields of two numbers each.
     pub fn sort<'a>(
         &mut self,
         fluid: &mut Fluid,
@@ -147,8 +146,8 @@ impl Pairs {
         self.offsets.extend(offsets);
     }
 
-    /// Lists neighbours where the water was sorted: the water's, and ghosts. Their sets come with bodies
-    /// that have not moved, and with no reach.
+    /// Lists the neighbours where the water was sorted: water and ghosts. The ghosts' sets come
+    /// without offset and reach.
     pub fn list<'a>(&mut self, ghosts: impl Iterator<Item = PointSet<'a>>) {
         let reach = self.ghost_reach();
         let Pairs { path, team, parts, strips, drift, reference: [x, y], offsets, .. } = self;
@@ -180,18 +179,18 @@ impl Pairs {
         team.share(parts, (), &|part, ()| part.list(path, [x, y], sets));
     }
 
-    /// What is summed over all particles, part by part.
+    /// The tallies of all parts.
     pub fn tallies(&self) -> impl Iterator<Item = &Tally> {
         self.parts.iter().map(|part| &part.tally)
     }
 
-    /// The pairs that passes for forces have gone through since last asked.
+    /// The number of pairs in passes for forces since the last call.
     pub fn take_force_pairs(&mut self) -> u64 {
         let entries = self.parts.iter_mut().map(|part| take(&mut part.tally.force_entries));
         (LANES * entries.sum::<usize>()) as u64
     }
 
-    /// The same of passes for the flow.
+    /// The same for passes for the flow.
     pub fn take_flow_pairs(&mut self) -> u64 {
         let entries = self.parts.iter_mut().map(|part| take(&mut part.tally.flow_entries));
         (LANES * entries.sum::<usize>()) as u64

@@ -1,16 +1,17 @@
-//! Particles and their pairs: all that makes sums over neighbours fast, behind "for these pairs, sum
-//! these terms".
+//! Particles and their pairs. Everything that makes sums over neighbours fast is here, behind the
+//! request "for these pairs, sum these terms".
 //!
-//! - The water has one array per field ([`Fluid`]); loops over pairs read one cache line of a neighbour
-//!   ([`Record`]). Eight particles that lie close together share one list of neighbours, and their pairs
-//!   are computed together.
+//! - The water has one array per field ([`Fluid`]). Loops over pairs read one cache line of a
+//!   neighbour ([`Record`]). Eight particles that lie close together share one list of neighbours,
+//!   and their pairs are computed together.
 //! - An equation states its [`Term`]s for one particle and one neighbour. A full pass
-//!   ([`Pairs::full_pass`]) finds the geometry of all pairs, sums the terms and holds the pairs in reach
-//!   for the passes that follow ([`Pairs::held_pass`]), which need neither distances nor the kernel.
+//!   ([`Pairs::full_pass`]) finds the geometry of all pairs and sums the terms. It holds the pairs
+//!   in reach for the passes that follow ([`Pairs::held_pass`]), which need neither distances nor
+//!   the kernel.
 //! - [`Pairs`] has the lists, which last until a pair may have come into reach unseen.
 //!
-//! Lanes, chunks, parts, precision, prefetches and held sums stay in here. Who states an equation
-//! reads [`Real`] as a number of one pair and [`Double`] as a number of one particle.
+//! Lanes, chunks, parts, precision, prefetches and held sums stay inside. In an equation [`Real`]
+//! can be read as a number of one pair, [`Double`] as a number of one particle.
 
 mod around;
 mod column;

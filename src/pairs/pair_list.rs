@@ -5,13 +5,12 @@ use std::ops::Range;
 use super::strips::Strips;
 use crate::math::simd::{LANES, Lanes, SimdPath, Task, dispatch};
 
-/// Neighbours of clusters of eight points, split into groups (the fluid, then what is behind
-/// its walls).
+/// Neighbours of clusters of eight points, in groups: the fluid, then each body's ghosts.
 #[derive(Debug, Clone, Default)]
 pub struct PairList {
     groups: usize,
     offsets: Vec<u32>,
-    /// Room for more than are listed.
+    /// May be longer than the entries in use.
     entries: Vec<u32>,
 }
 
@@ -28,13 +27,13 @@ impl PairList {
         &self.entries[self.offsets[at] as usize..self.offsets[at + 1] as usize]
     }
 
-    /// Where the entries of a cluster's group start, for arrays that run parallel to them.
+    /// Index of the first entry of a cluster's group, also for parallel arrays.
     #[inline(always)]
     pub fn start(&self, cluster: usize, group: usize) -> usize {
         self.offsets[cluster * self.groups + group] as usize
     }
 
-    /// Where the entries of all groups of a cluster lie.
+    /// Indices of the entries of all groups of a cluster.
     #[inline(always)]
     pub fn range(&self, cluster: usize) -> Range<usize> {
         let at = cluster * self.groups;
@@ -76,14 +75,14 @@ pub struct PointSet<'a> {
     pub offset: f64,
     /// Number of the set's first point among all neighbours.
     pub first: u32,
-    /// Points closer than this to any lane are listed, same unit as x.
+    /// Points closer than this to any lane are listed; same unit as x.
     pub reach: f64,
-    /// The box of the points, to pass over clusters that are far away: x from, x to, y from, y to.
+    /// The box of the points: x from, x to, y from, y to. Clusters far from it are skipped.
     pub bounds: [f64; 4],
 }
 
 impl PointSet<'_> {
-    /// Bounds that pass over no cluster.
+    /// Bounds that skip no cluster.
     pub const EVERYWHERE: [f64; 4] =
         [f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY];
 }
@@ -139,8 +138,8 @@ impl Task for Build<'_> {
                         let room = &mut entries[count..count + range.len()];
                         let places = set.x[range.clone()].iter().zip(&set.y[range.clone()]);
                         let mut found = 0;
-                        // Every candidate is written, and the next one over it if it is too far:
-                        // half of them are, and no processor can foretell which.
+                        // Every candidate is written. If it is too far, the next one overwrites it.
+                        // Half of them are too far, and no processor can predict which.
                         for (k, (&point_x, &point_y)) in range.zip(places) {
                             room[found] = set.first + k as u32;
                             let (dx, dy) = (x - L::splat(point_x), y - L::splat(point_y));

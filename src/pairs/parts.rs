@@ -1,4 +1,4 @@
-//! The clusters in parts: pieces of work that threads share.
+//! The clusters in parts: pieces of work for the threads.
 
 use std::ops::Range;
 
@@ -8,17 +8,18 @@ use super::pair_list::{PairList, PointSet, build_pair_list};
 use crate::math::simd::{LANES, Lanes, SimdPath};
 use crate::math::team::{self, Team};
 
-/// Consecutive clusters with their neighbours. Lists count clusters from the first of the part.
+/// Consecutive clusters with their neighbours. In lists clusters are counted from the first of the
+/// part.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Part {
     pub(super) clusters: Range<usize>,
-    /// Neighbours in reach or soon to be.
+    /// Neighbours in reach, or soon in reach.
     pub(super) pairs: PairList,
     /// The pairs in reach, from the last full step.
     pub(super) held: HeldPairs,
     /// Σ g Δ of each cluster with the ghosts of each body that it has in reach, along x and y.
     pub(super) near: Vec<[[f64; LANES]; 2]>,
-    /// What its particles add to sums over all.
+    /// The part's contributions to sums over all.
     pub tally: Tally,
 }
 
@@ -28,7 +29,7 @@ impl Part {
         self.clusters.start * LANES..self.clusters.end * LANES
     }
 
-    /// Lists the neighbours of its particles, whose places are given with all others, out of some sets.
+    /// Lists the neighbours of its particles among some sets. `places` are those of all particles.
     pub fn list(&mut self, path: SimdPath, places: [&[f64]; 2], sets: &[PointSet<'_>]) {
         let lanes = self.lanes();
         let [x, y] = places.map(|places| &places[lanes.clone()]);
@@ -36,8 +37,8 @@ impl Part {
         self.held.make_room(&self.pairs);
     }
 
-    /// Room for what its clusters leave, so that steps need none. Of whole water one cluster in four
-    /// at the most comes near enough to a wall to respond to it.
+    /// Reserves memory for the results of its clusters, so that steps allocate none. At most one
+    /// cluster in four comes near enough to a wall to respond to it.
     fn make_room(&mut self) {
         let Tally { powers, added, responding, .. } = &mut self.tally;
         let clusters = self.clusters.len();
@@ -53,20 +54,20 @@ impl team::Part for Part {
     }
 }
 
-/// What a part's clusters add to sums over all of them. One sum after the other is added, in the
-/// order of the clusters, so that the whole does not depend on where the parts end.
+/// The contributions of a part's clusters to sums over all. They are added one by one in the order
+/// of the clusters, so that the result does not depend on the parts.
 #[derive(Debug, Clone, Default)]
 pub struct Tally {
     /// W per metre of width.
     pub(super) powers: Vec<f64>,
-    /// Of each cluster, what it adds to the sum of a pass.
+    /// Contribution of each cluster to the sum of a pass.
     pub(super) added: Vec<[f64; LANES]>,
     /// A body, its force, N/m, the viscous part of that, and its added mass, kg/m.
     pub loads: Vec<(usize, [f64; 3])>,
     /// Clusters whose acceleration responds to the wall's, with the response per lane.
     pub(super) responding: Vec<(u32, [[f64; LANES]; 2])>,
-    /// Entries, of eight pairs each, that passes for forces and for the flow have gone through and that
-    /// are still to be counted.
+    /// Number of entries, of eight pairs each, in passes for forces and for the flow, since they
+    /// were last counted.
     pub(super) force_entries: usize,
     pub(super) flow_entries: usize,
 }
@@ -78,13 +79,13 @@ impl Tally {
         self.powers.push(power.sum());
     }
 
-    /// Notes how much the accelerations here respond to the wall's.
+    /// Records the response of these accelerations to the wall's.
     #[inline(always)]
     pub fn respond<D: Lanes>(&mut self, here: Here, [x, y]: [D; 2]) {
         self.responding.push((here.cluster(), [x.to_array(), y.to_array()]));
     }
 
-    /// Adds to accelerations what an acceleration of the wall, m/s², brings about.
+    /// Adds to accelerations the effect of an acceleration of the wall, m/s².
     pub fn add_responses(&self, wall: f64, [x, y]: [&mut [f64]; 2]) {
         for (cluster, response) in &self.responding {
             let at = *cluster as usize * LANES;
@@ -101,7 +102,7 @@ impl Tally {
     }
 }
 
-/// Cuts so many clusters into parts, as many as a team wants.
+/// Cuts this many clusters into as many parts as the team wants.
 pub(super) fn cut(parts: &mut Vec<Part>, clusters: usize, team: &Team) {
     let count = team.parts();
     parts.resize_with(count, Part::default);

@@ -12,27 +12,27 @@ use crate::math::team::Rows;
 
 /// An equation with terms of all pairs, which writes rows `R`.
 pub trait Equation<R>: Sync {
-    /// Sums its terms over what is around eight particles, and writes what comes of it.
+    /// Sums its terms over the neighbours of eight particles, and writes the results.
     fn at<D: Lanes>(&self, here: Here, around: &mut Around<'_>, rows: &mut R);
 }
 
 /// An equation with terms of held pairs.
 pub trait HeldEquation<R>: Sync {
-    /// Pairs count as those of forces; else as those of the flow.
+    /// Whether pairs are counted as those of forces; otherwise as those of the flow.
     const FORCES: bool;
-    /// Sums its terms over the pairs of eight particles, and writes what comes of it.
+    /// Sums its terms over the pairs of eight particles, and writes the results.
     fn at<D: Lanes>(&self, here: Here, held: &mut Held<'_, '_>, rows: &mut R);
 }
 
-/// What is found particle by particle.
+/// Work that is done particle by particle.
 pub trait Each<R>: Sync {
-    /// Writes what comes of eight particles.
+    /// Writes the results of eight particles.
     fn at<D: Lanes>(&self, here: Here, rows: &mut R);
 }
 
-/// What is done particle by particle, with something that is summed over all.
+/// Work that is done particle by particle, with a sum over all.
 pub trait Summed<R>: Sync {
-    /// Writes what comes of eight particles; returns what they add.
+    /// Writes the results of eight particles; returns their contribution to the sum.
     fn at<D: Lanes>(&self, here: Here, rows: &mut R) -> D;
 }
 
@@ -110,7 +110,7 @@ impl<R, E: Summed<R>> Task for InTurn<'_, E, R> {
     }
 }
 
-/// Goes through so many particles on one thread; returns the sum of what they add.
+/// Goes through this many particles on one thread; returns the sum.
 pub fn sum_in_turn<R>(path: SimdPath, particles: usize, rows: R, work: &impl Summed<R>) -> f64 {
     dispatch(path, InTurn { work, clusters: 0..particles.div_ceil(LANES), rows })
 }
@@ -125,7 +125,7 @@ impl Pairs {
         });
     }
 
-    /// Goes through all particles; returns the sum of what they add.
+    /// Goes through all particles; returns the sum.
     pub fn sum_each<R: Rows>(&mut self, rows: R, work: &impl Summed<R>) -> f64 {
         let path = self.path;
         self.team.share(&mut self.parts, rows, &|part, rows| {
@@ -134,7 +134,7 @@ impl Pairs {
         dispatch(path, Total(&self.parts))
     }
 
-    /// Goes through all particles with an equation, finds the geometry of their pairs and holds it.
+    /// Goes through all particles with an equation, and holds the geometry of their pairs.
     pub fn full_pass<R: Rows>(
         &mut self,
         neighbours: &Neighbours<'_>,

@@ -1,4 +1,4 @@
-//! The precision of pair terms: what a pair loop computes in, and how it reads its particles.
+//! The precision of pair terms: the type of the numbers, and how particles are read.
 
 use serde::{Deserialize, Serialize};
 
@@ -17,7 +17,7 @@ pub enum Precision {
     F32,
 }
 
-/// A neighbour as a pair reads it.
+/// A neighbour in a pair.
 #[derive(Clone, Copy)]
 pub struct Other<'a, N> {
     /// Its record.
@@ -45,35 +45,36 @@ impl<N: Neighbour> Other<'_, N> {
     fn slot<V: Vector>(self, slot: usize) -> V {
         V::splat(self.record.slot(slot))
     }
-    /// Its strain, given that of all water.
+    /// Its strain rate, from that of all water.
     #[inline(always)]
     pub fn strain<V: Vector>(self, all: &[[f64; 2]]) -> [V; 2] {
         self.record.strain(all, self.number)
     }
-    /// What density diffusion smooths of it, given that of all water, kg/m³.
+    /// Its value of the field that density diffusion smooths, from that of all water, kg/m³.
     #[inline(always)]
     pub fn diffused<V: Vector>(self, all: &[f64]) -> V {
         self.record.diffused(all, self.number)
     }
 }
 
-/// What a pair loop reads of a neighbour, in the precision of the pair.
+/// The data of a neighbour for pair loops, in the precision of the pair.
 pub trait Neighbour: Copy {
-    /// What its pairs are computed in.
+    /// The type of its pairs' numbers.
     type In<L: Lanes>: Vector;
     /// Eight places: x and y, each as one or two numbers.
     fn places<L: Lanes, V: Vector>(x: &[f64; LANES], y: &[f64; LANES]) -> [[V; 2]; 2];
-    /// From this neighbour to eight places, over R.
+    /// Difference of eight places and this neighbour's place, over R.
     fn apart<V: Vector>(&self, places: [[V; 2]; 2]) -> [V; 2];
     /// A number of the record: see [`Record`].
     fn slot(&self, slot: usize) -> f64;
-    /// Its strain, given that of all water and its number.
+    /// Its strain rate, from that of all water and its number.
     fn strain<V: Vector>(&self, all: &[[f64; 2]], number: usize) -> [V; 2];
-    /// What density diffusion smooths of it, given that of all water and its number, kg/m³.
+    /// Its value of the field that density diffusion smooths, from that of all water and its
+    /// number, kg/m³.
     fn diffused<V: Vector>(&self, all: &[f64], number: usize) -> V;
     /// The same of eight particles, given the rest density, kg/m³.
     fn own_diffused<V: Vector>(here: Here, all: &[f64], rest: f64) -> V;
-    /// Whether it counts: ghosts without a weight do not.
+    /// Whether it counts: a ghost without a weight does not.
     #[inline(always)]
     fn counts(&self) -> bool {
         self.slot(Record::WEIGHT) != 0.0

@@ -1,4 +1,4 @@
-//! What a pair loop reads of a neighbour: one cache line.
+//! The data of a neighbour for pair loops: one cache line.
 
 use crate::kernel::KernelChoice;
 use crate::math::simd::{LANES, Lanes, Vector};
@@ -26,11 +26,11 @@ impl Record {
     pub const VX: usize = 2;
     /// Vertical velocity, m/s.
     pub const VY: usize = 3;
-    /// Volume times C/R³ and the kernel's slope factor: turns what the kernel gives for w'(q)/q
-    /// times a scaled distance into ∇W V.
+    /// Volume times C/R³ and the kernel's slope factor. It turns the kernel's w'(q)/q times a
+    /// scaled distance into V ∇W.
     pub const WEIGHT: usize = 4;
-    /// Pressure times correction, Pa, xx component; the pressure itself where the
-    /// scheme has no corrections.
+    /// Pressure times correction, Pa, xx component. It is the pressure itself if the scheme has no
+    /// corrections.
     pub const PRESSURE: usize = 5;
     /// Its xy component.
     pub const PRESSURE_XY: usize = 6;
@@ -51,10 +51,11 @@ impl Record {
     }
 }
 
-/// A neighbour as [`Record`] has it, in single precision: one cache line, too.
+/// A neighbour as in [`Record`], in single precision, also in one cache line.
 ///
-/// The first eight slots are those of a record. A place is a multiple of 2^-6 R, in the slots of the
-/// place, and a rest, so that differences of places lose nothing: those of the multiples are exact.
+/// The first eight slots are those of a record. A place is split into a multiple of 2^-6 R, in the
+/// slots of the place, and a rest. Differences of the multiples are exact, so differences of places
+/// lose nothing.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 #[repr(C, align(64))]
 pub struct SingleRecord(pub [f32; 16]);
@@ -68,10 +69,11 @@ impl SingleRecord {
     pub const STRETCH: usize = 10;
     /// Half the sum of the other two.
     pub const SHEAR: usize = 11;
-    /// What density diffusion smooths, less rest density, of fluid, kg/m³.
+    /// The field that density diffusion smooths, less rest density, of fluid, kg/m³.
     pub const DIFFUSED: usize = 12;
 
-    /// A record, its strain and what density diffusion smooths, less rest density, rounded.
+    /// A record, its strain rate, and the field that density diffusion smooths less rest density,
+    /// all rounded.
     #[inline(always)]
     pub fn new<L: Lanes>(record: &Record, strain: [f64; 2], diffused: f64) -> SingleRecord {
         let values = L::load(&record.0);
@@ -90,7 +92,7 @@ impl SingleRecord {
     }
 }
 
-/// Places as multiples of 2^-6 and the rests of them.
+/// Places as multiples of 2^-6, and their rests.
 #[inline(always)]
 pub fn split<V: Vector>(places: V) -> [V; 2] {
     // Adding 1.5·2^46 rounds to multiples of 2^-6.

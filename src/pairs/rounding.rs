@@ -30,8 +30,8 @@ impl Task for Rounding<'_> {
     }
 }
 
-/// Rounds records to single precision: with the water's strain and what density diffusion smooths of
-/// it, less rest density `rest`, kg/m³.
+/// Rounds records to single precision, with the water's strain rate and the field that density
+/// diffusion smooths, less rest density `rest`, kg/m³.
 pub fn round(
     path: SimdPath,
     records: &[Record],

@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-/// Points sorted into strips of equal width, by y within a strip, upwards and downwards in turn,
-/// so that any eight consecutive points lie close together, even across a change of strip.
+/// Points sorted into strips of equal width, by y within a strip, upwards and downwards in turn. So
+/// any eight consecutive points lie close together, even across a change of strip.
 #[derive(Debug, Clone, Default)]
 pub struct Strips {
     origin: f64,
@@ -14,31 +14,32 @@ pub struct Strips {
 
 /// A strip holds this many columns of particles: eight particles then form a square.
 const STRIP_COLUMNS: f64 = 2.83;
-/// Points farther out than this many strips share the last one: one that has run away takes no memory
-/// with it.
+/// Points farther out than this many strips share the last one, so that a runaway particle takes no
+/// memory.
 const MOST_STRIPS: usize = 100_000;
 
 /// The strip of a place, counted from an origin.
 #[inline(always)]
 fn strip(x: f64, origin: f64, width: f64) -> usize {
-    // What lies before the origin, or is not a number, is in the first.
+    // Places before the origin, and NaN, are in the first strip.
     (((x - origin) / width) as usize).min(MOST_STRIPS - 1)
 }
 
-/// How many points of a strip lie below certain heights: as many shelves as points, of one height.
+/// Number of points of a strip below certain heights. There are as many shelves of equal height as
+/// points.
 #[derive(Debug, Clone, Default)]
 struct Shelves {
     /// Of each strip: the lowest height, and shelves per metre.
     scales: Vec<[f64; 2]>,
-    /// Of each strip: how many points are below each shelf, and then how many there are.
+    /// For each strip: how many points are below each shelf, then the number of points.
     below: Vec<u32>,
 }
 
 impl Shelves {
-    /// The shelf of a height, among so many; never lower for a greater height.
+    /// The shelf of a height, of `count` shelves. It never decreases with height.
     #[inline(always)]
     fn shelf([bottom, per_metre]: [f64; 2], count: usize, height: f64) -> usize {
-        // What is below the bottom, or not a number, is on the lowest.
+        // Heights below the bottom, and NaN, are on the lowest shelf.
         (((height - bottom) * per_metre) as usize).min(count - 1)
     }
 
@@ -47,7 +48,7 @@ impl Shelves {
         self.below.clear();
     }
 
-    /// Takes up the next strip, of points that are sorted either way.
+    /// Adds the next strip, of points sorted upwards or downwards.
     fn push(&mut self, heights: impl ExactSizeIterator<Item = f64> + DoubleEndedIterator + Clone) {
         let count = heights.len();
         let start = self.below.len();
@@ -68,7 +69,8 @@ impl Shelves {
         }
     }
 
-    /// Points of a strip that hold all those between two heights, numbered upwards, of `members`.
+    /// A range of a strip's points that has all those between two heights. `members` are the
+    /// strip's points.
     #[inline(always)]
     fn between(&self, strip: usize, members: &Range<usize>, [low, high]: [f64; 2]) -> Range<usize> {
         let count = members.len();
@@ -93,7 +95,7 @@ impl Strips {
         (strips, order)
     }
 
-    /// [`Strips::sort`] in place of what was there before, without new memory.
+    /// [`Strips::sort`] into the existing arrays, without new memory.
     pub fn renew(
         &mut self,
         x: &[f64],
@@ -109,7 +111,7 @@ impl Strips {
         let starts = &mut self.starts;
         starts.clear();
         if starts.capacity() <= count {
-            // Water that runs on needs more of them, a few at a time.
+            // Water that spreads needs more strips, a few at a time.
             starts.reserve(2 * count + 1);
         }
         starts.resize(count + 1, 0);
@@ -126,7 +128,7 @@ impl Strips {
             order[*slot as usize] = point as u32;
             *slot += 1;
         }
-        // Every start has moved on to the next one's place.
+        // Every start has moved to the place of the next one.
         starts.copy_within(..count, 1);
         starts[0] = 0;
         for strip in 0..count {
@@ -162,7 +164,7 @@ impl Strips {
         self.starts[strip] as usize..self.starts[strip + 1] as usize
     }
 
-    /// Calls `visit` with ranges of points that hold all those inside a box.
+    /// Calls `visit` with ranges of points that contain all points of a box.
     #[inline(always)]
     pub fn visit_box(
         &self,

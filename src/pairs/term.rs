@@ -5,7 +5,7 @@ use super::geometry::Pair;
 use super::precision::{Neighbour, Other};
 use crate::math::simd::{LANES, Lanes, Vector};
 
-/// A value of each of eight particles.
+/// A value for each of eight particles.
 pub type Eight = [f64; LANES];
 
 /// The values of several sums.
@@ -18,10 +18,10 @@ pub fn loaded<D: Lanes, const N: usize>(sums: &[Eight; N]) -> [D; N] {
     values
 }
 
-/// What each pair adds to a sum of its particle. It is written for one particle and one neighbour;
-/// numbers `R` are those of several pairs at once.
+/// The contribution of each pair to a sum of its particle. It is written for one particle and one
+/// neighbour. Numbers `R` hold the values of several pairs.
 pub trait Term: Copy {
-    /// What it reads of the particle itself.
+    /// Its data of the particle itself.
     type Own<R: Vector>: Copy;
     /// The sum, while pairs add to it.
     type Sum<R: Vector>: Sum<Total = Self::Total>;
@@ -30,7 +30,7 @@ pub trait Term: Copy {
 
     /// Reads the particle itself.
     fn own<R: Vector, N: Neighbour>(&self, here: Here) -> Self::Own<R>;
-    /// Adds what one pair gives.
+    /// Adds the contribution of one pair.
     fn add<R: Vector, N: Neighbour>(
         &self,
         own: &Self::Own<R>,
@@ -46,7 +46,8 @@ pub trait Sum: Copy {
     type Total: Copy;
     /// No pair yet.
     fn nothing() -> Self;
-    /// The whole of two sums that pairs have added to in turns; of the first alone where they have not.
+    /// The total of two sums to which pairs were added in turns; of the first alone if there were
+    /// no turns.
     fn total(turns: &[Self; 2]) -> Self::Total;
 }
 
@@ -67,7 +68,7 @@ impl<R: Vector, const N: usize> Sum for [R; N] {
     }
 }
 
-/// Sums in double precision, whatever that of the pairs.
+/// Sums in double precision for any precision of the pairs.
 #[derive(Clone, Copy)]
 pub(super) struct Exact<R: Vector, const N: usize>([R::Wide; N]);
 
@@ -98,7 +99,7 @@ fn whole<R: Vector>(even: R::Wide, odd: R::Wide) -> Eight {
     if R::TURNS > 1 { (even + odd).to_array() } else { even.to_array() }
 }
 
-/// A term that counts, or is left out: then its sum is zero, and no pair takes longer for it.
+/// A term that is included or left out. If it is left out, its sum is zero and it costs nothing.
 #[derive(Clone, Copy)]
 pub struct If<const COUNTS: bool, T>(pub T);
 
@@ -125,7 +126,7 @@ impl<const COUNTS: bool, T: Term> Term for If<COUNTS, T> {
     }
 }
 
-/// Several terms are a term.
+/// Several terms together are a term.
 macro_rules! terms {
     ($($Term:ident $at:tt),+) => {
         impl<$($Term: Term),+> Term for ($($Term,)+) {

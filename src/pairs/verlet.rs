@@ -1,4 +1,4 @@
-//! How long a list lasts: until some pair may have come into reach unseen.
+//! How long a list is valid: until some pair may have come into reach unseen.
 
 use std::ops::Range;
 
@@ -6,16 +6,16 @@ use super::strips::Strips;
 
 /// Displacements since the last rebuild, cell by cell.
 ///
-/// Fluid pairs can only have come closer by the *difference* of their displacements, which is
-/// bounded by the spread of displacements over the two cells that they are in; a wave that carries
-/// its particles along together does not wear a list out. Ghosts stand still or move with their
-/// body, so for them the displacement itself counts, against a wider margin.
+/// Fluid pairs can only have come closer by the *difference* of their displacements. This is
+/// bounded by the spread of displacements over the two cells of the pair. So a wave that carries
+/// its particles along does not make a list invalid. Ghosts are at rest or move with their body.
+/// For them the displacement itself counts, against a wider margin.
 #[derive(Debug, Clone, Default)]
 pub struct Drift {
     cells: Vec<Cell>,
-    /// Where each strip's cells begin, and where the last one's end.
+    /// Index of each strip's first cell, and the end of the last strip's cells.
     firsts: Vec<u32>,
-    /// The cells of each strip together.
+    /// The spread of all cells of each strip.
     columns: Vec<Spread>,
     /// Width of the strips.
     width: f64,
@@ -25,7 +25,7 @@ pub struct Drift {
 #[derive(Debug, Clone)]
 struct Cell {
     members: Range<u32>,
-    /// The lowest and the highest of them at the last rebuild.
+    /// Their lowest and highest y at the last rebuild.
     heights: [f64; 2],
     spread: Spread,
 }
@@ -35,17 +35,17 @@ type Spread = [f64; 4];
 
 const NOTHING: Spread = [f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY];
 
-/// Within what a pair counts.
+/// Distances within which pairs matter.
 #[derive(Debug, Clone, Copy)]
 pub struct Reach {
     /// Distance at which points interact.
     pub radius: f64,
-    /// Lists hold pairs up to so much farther apart.
+    /// Lists hold pairs that are up to this much farther apart.
     pub margin: f64,
 }
 
 impl Drift {
-    /// Takes up the points of a rebuild, in cells of at most such a height.
+    /// Takes the points of a rebuild, in cells of at most this height.
     pub fn divide(&mut self, strips: &Strips, width: f64, y: &[f64], height: f64) {
         self.width = width;
         self.cells.clear();
@@ -67,7 +67,7 @@ impl Drift {
         self.firsts.push(self.cells.len() as u32);
     }
 
-    /// Whether a pair that is not listed may be in reach, and the largest displacement of any
+    /// Whether a pair that is not listed may be in reach; and the largest displacement of any
     /// point. `from` are the places at the rebuild.
     pub fn measure(&mut self, [x, y]: [&[f64]; 2], from: [&[f64]; 2], reach: Reach) -> (bool, f64) {
         self.columns.clear();
@@ -93,8 +93,8 @@ impl Drift {
         (worn, farthest)
     }
 
-    /// Whether a point of a strip and one of that strip or of later ones, not listed as a pair,
-    /// may be in reach, where no point has gone farther than `farthest`.
+    /// Whether a point of a strip and one of the same or of later strips, not listed as a pair, may
+    /// be in reach. No point has moved farther than `farthest`.
     fn may_meet(&self, strip: usize, farthest: f64, reach: Reach) -> bool {
         // Points farther apart than this cannot have met.
         let beyond = reach.radius + 2.0 * farthest;
@@ -118,8 +118,8 @@ impl Drift {
 }
 
 impl Cell {
-    /// Whether the displacements allow that a point of each have met: such as were `across` apart
-    /// along x, at least, and not listed.
+    /// Whether a point of each cell may have met, for points that were at least `across` apart
+    /// along x and not listed.
     fn may_meet(&self, other: &Cell, across: f64, beyond: f64, reach: Reach) -> bool {
         let up = (other.heights[0] - self.heights[1]).max(self.heights[0] - other.heights[1]);
         let apart = across * across + up.max(0.0) * up.max(0.0);
@@ -133,14 +133,14 @@ impl Cell {
         let dx = (right - other.spread[0]).max(other.spread[1] - left);
         let dy = (top - other.spread[2]).max(other.spread[3] - bottom);
         let still = dx * dx + dy * dy < allowed * allowed;
-        // So that what is not a number may have met.
+        // So NaN may have met.
         !still
     }
 }
 
 #[inline(always)]
 fn merge(a: Spread, b: Spread) -> Spread {
-    // Plain comparisons: min and max with NaN handling would not vectorise as well.
+    // Plain comparisons: min and max that handle NaN would not vectorise as well.
     let low = |p: f64, q: f64| if p < q { p } else { q };
     let high = |p: f64, q: f64| if p > q { p } else { q };
     [low(a[0], b[0]), high(a[1], b[1]), low(a[2], b[2]), high(a[3], b[3])]

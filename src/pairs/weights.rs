@@ -1,4 +1,4 @@
-//! The water in reach of targets, with its weights, from one full step to the next.
+//! The water in reach of targets and its weights, from one full step to the next.
 
 use std::ops::Range;
 
@@ -11,13 +11,13 @@ use crate::math::simd::{LANES, Lanes};
 pub struct HeldWeights {
     weights: Vec<[f64; LANES]>,
     entries: Vec<u32>,
-    /// Where each block's lie.
+    /// Index range of each block.
     ranges: Vec<(u32, u32)>,
 }
 
 impl HeldWeights {
-    /// Room for the targets of a list. The first list is room for the weights of later ones, too: it
-    /// reaches much farther than the weights do.
+    /// Reserves memory for the targets of a list. The first list has room for the weights of later
+    /// ones too, because it reaches much farther than the weights.
     pub fn make_room(&mut self, list: &PairList) {
         if self.entries.is_empty() {
             self.entries = vec![0; list.len()];
@@ -26,7 +26,7 @@ impl HeldWeights {
         self.ranges.resize(list.clusters(), (0, 0));
     }
 
-    /// Where a block may begin: behind all that is held of those before it.
+    /// Where a block may begin: after the entries of all blocks before it.
     pub fn end_before(&self, block: usize) -> usize {
         self.ranges[..block].iter().map(|&(_, end)| end).max().unwrap_or(0) as usize
     }
@@ -37,7 +37,7 @@ impl HeldWeights {
         start as usize..end as usize
     }
 
-    /// The particles in reach of a block of targets, and room for their weights.
+    /// The particles in reach of a block of targets, and memory for their weights.
     #[inline(always)]
     pub fn room(&mut self, block: usize) -> (&[u32], &mut [[f64; LANES]]) {
         let range = self.range(block);
@@ -65,8 +65,8 @@ impl HeldWeights {
         sums
     }
 
-    /// Takes up those of the listed particles that are in reach of a block of targets, whose places are
-    /// given over R, behind `end` others; returns how many there are then. Blocks come in turn.
+    /// Takes the listed particles that are in reach of a block of targets, whose places are over R.
+    /// They are stored after `end` others; returns the new number. Blocks must come in order.
     #[inline(always)]
     pub fn take<L: Lanes>(
         &mut self,
@@ -81,8 +81,8 @@ impl HeldWeights {
         }
         let entries = &mut self.entries[end..end + listed.len()];
         let mut count = 0;
-        // Every one is written, and the next one over it if it is too far: no processor can foretell
-        // which are.
+        // Every one is written. If it is too far, the next one overwrites it: no processor can
+        // predict which are.
         for &j in listed {
             entries[count] = j;
             let record = &records[j as usize].0;

@@ -1,10 +1,10 @@
-//! What is found particle by particle, or point by point.
+//! Values that are found particle by particle, or point by point.
 
 use super::{Field, Near, Values};
 use crate::pairs::record::Record;
 
 impl Near {
-    /// Writes what is found of every particle, given its number.
+    /// Writes `find(i)` for every particle i.
     pub fn each<R: Values>(&self, values: R, find: impl Fn(usize) -> R::Value + Sync) {
         self.team.read(&self.parts, values, &|part, mut values| {
             let lanes = part.lanes();
@@ -14,7 +14,7 @@ impl Near {
         });
     }
 
-    /// Changes the values that every particle has in some fields, given its number.
+    /// Changes the values of every particle in some fields, given its number.
     pub fn change<const N: usize>(
         &self,
         fields: [&mut [f64]; N],
@@ -35,7 +35,7 @@ impl Near {
         });
     }
 
-    /// Writes what is found of every point, given its number.
+    /// Writes `find(e)` for every point e.
     pub fn of_points<T: Send>(&self, values: &mut [T], find: impl Fn(usize) -> T + Sync) {
         self.team.read(&self.cuts, values, &|cut, values| {
             for (point, value) in cut.clone().zip(values) {
@@ -44,8 +44,8 @@ impl Near {
         });
     }
 
-    /// Fills in the records of all points, given the number of each and that of the particle that it is, or
-    /// is the image of.
+    /// Fills the records of all points. `fill` gets the number of the point, and that of the
+    /// particle that it is or is the image of.
     pub fn each_point(&mut self, fill: impl Fn([usize; 2], &mut Record) + Sync) {
         let Near { team, cuts, records, original, .. } = self;
         team.read(cuts, &mut records[..], &|cut, records| {

@@ -1,7 +1,8 @@
-//! The water at one instant with its images: pairs that are listed and weighed anew for every step.
+//! The water at one instant with its images: pairs that are listed and weighed again in every step.
 //!
-//! Unlike [`Pairs`](super::Pairs), whose lists last for many steps, [`Near`] has lists without a margin,
-//! and the slope of every pair in double precision. A [`Term`](super::Term) reads its pairs as those of
+//! [`Pairs`](super::Pairs) has lists that last for many steps. [`Near`] has lists without a margin,
+//! and the slope of every pair in double precision. A [`Term`](super::Term) reads its pairs as in
+//! any other pass. But Δ is in metres, and g, which is -F, in 1/m²: g Δ = V_j ∇_iW_ij.
 //! any other pass, but Δ is in metres and g = F's negative in 1/m²: g Δ = V_j ∇_iW_ij.
 
 mod average;
@@ -26,8 +27,8 @@ pub use rows::{Blocks, Coupling};
 pub use values::{Field, Values};
 pub use weigh::Moments;
 
-/// The neighbourhood of all particles at one instant. Points are the water, padded by some without
-/// volume, and then its images.
+/// The neighbourhood of all particles at one instant. Points are the water, padding without volume,
+/// and the images.
 #[derive(Debug)]
 pub struct Near {
     path: SimdPath,
@@ -36,25 +37,25 @@ pub struct Near {
     radius: f64,
     /// Width of the strips, metres.
     width: f64,
-    /// How many particles the water has.
+    /// Number of the water's particles.
     water: usize,
     /// x and y of the points, metres.
     pub places: [Vec<f64>; 2],
     /// Their volumes, m².
     pub volume: Vec<f64>,
-    /// The particle that each point is, or is the image of.
+    /// The particle that each point is or is the image of.
     pub original: Vec<u32>,
-    /// What pair loops read of them: places in metres, volumes for weights. Velocities and pressures are
-    /// for the scheme to fill in.
+    /// The points' records for pair loops, with places in metres and volumes as weights. The scheme
+    /// fills in velocities and pressures.
     pub records: Vec<Record>,
     strips: Strips,
     image_strips: Strips,
     team: Team,
     parts: Vec<Part>,
-    /// The points in as many parts.
+    /// The points, cut into as many parts.
     cuts: Vec<Range<usize>>,
     order: Vec<u32>,
-    /// 0, 1, 2, ...: images of one height keep their order.
+    /// 0, 1, 2, ...: images of equal height keep their order.
     ties: Vec<u32>,
     scratch: Vec<f64>,
     /// Places to be sorted.
@@ -86,15 +87,15 @@ impl Near {
         }
     }
 
-    /// Takes on a team for what follows the next [`Near::list`].
+    /// Sets the team, which is used from the next [`Near::list`] on.
     pub fn take_on(&mut self, team: &Team) {
         self.parts.resize_with(team.parts(), Part::default);
         self.cuts.resize(team.parts(), Range::default());
         self.team = team.clone();
     }
 
-    /// Puts the particles, and fields of them that are not empty, into the order of the places that they
-    /// will have after `time`, seconds, so that neighbours lie close together.
+    /// Sorts the particles, and those fields of them that are not empty, by their places after
+    /// `time`, seconds. So neighbours lie close together.
     pub fn sort<const N: usize>(
         &mut self,
         fluid: &mut Fluid,
@@ -116,8 +117,8 @@ impl Near {
         }
     }
 
-    /// Takes up so many particles, sorted, and their images behind them, of which `of` tells place,
-    /// volume and original, and lists the neighbours of every particle. Leaves all in the order of the points.
+    /// Takes this many sorted particles and the images after them; `of` gives place, volume and
+    /// original. Lists the neighbours of every particle. `all` is left in the order of the points.
     pub fn list<P: Copy>(
         &mut self,
         water: usize,
@@ -168,7 +169,7 @@ impl Near {
         });
     }
 
-    /// Sorts the places of images; returns the box that they fill.
+    /// Sorts the places of images; returns their box.
     fn sort_images(&mut self, places: impl Iterator<Item = [f64; 2]>) -> [f64; 4] {
         let Near { image_strips, order, ties, ahead: [x, y], width, .. } = self;
         let mut bounds = [f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY];
@@ -185,7 +186,7 @@ impl Near {
         bounds
     }
 
-    /// Points that are in reach of a particle or nearly so, itself among them.
+    /// Points that are in reach of a particle, or nearly so, including itself.
     pub fn around(&self, particle: usize) -> &[u32] {
         let cluster = particle / LANES;
         let part = self.parts.partition_point(|part| part.clusters.end <= cluster);
@@ -193,7 +194,7 @@ impl Near {
         &list.entries()[list.range(cluster - clusters.start)]
     }
 
-    /// Pairs that a pass goes through.
+    /// Number of pairs of a pass.
     pub fn pairs(&self) -> usize {
         LANES * self.parts.iter().map(|part| part.list.len()).sum::<usize>()
     }

@@ -7,7 +7,8 @@ use crate::math::team;
 use crate::pairs::pair_list::PairList;
 use crate::pairs::term::Eight;
 
-/// Consecutive clusters with their neighbours. Lists count clusters from the first of the part.
+/// Consecutive clusters with their neighbours. In lists clusters are counted from the first of the
+/// part.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Part {
     pub clusters: Range<usize>,
@@ -28,7 +29,7 @@ impl Part {
         self.clusters.start * LANES..self.clusters.end * LANES
     }
 
-    /// The pairs of the cluster with this place in the part: the whole list, or the images alone.
+    /// The pairs of a cluster of the part: the whole list, or only the images.
     #[inline(always)]
     pub fn listed(&self, place: usize, images_alone: bool) -> (&[u32], &[Eight]) {
         let mut range = self.list.range(place);

@@ -1,4 +1,4 @@
-//! The matrix that pairs make.
+//! The matrix of the pairs' couplings.
 
 use std::ops::Range;
 
@@ -11,17 +11,17 @@ use crate::pairs::fields::Here;
 use crate::pairs::geometry::Pair;
 use crate::pairs::term::Eight;
 
-/// How strongly the two of a pair are coupled: w_ij of rows Σ_j w_ij (p_i - p_j).
+/// The coupling of a pair: w_ij of rows Σ_j w_ij (p_i - p_j).
 pub trait Coupling: Copy {
-    /// What it reads of the particle itself.
+    /// Its data of the particle itself.
     type Own<R: Vector>: Copy;
     /// Reads the particle itself.
     fn own<R: Vector>(&self, here: Here) -> Self::Own<R>;
-    /// The coupling; none where none of the pairs is to have an entry.
+    /// The coupling; none if none of the pairs gets an entry.
     fn of<R: Vector>(&self, own: &Self::Own<R>, pair: &Pair<R>) -> Option<R>;
 }
 
-/// Room for a matrix to be put together, part by part.
+/// Memory for a matrix that is assembled part by part.
 #[derive(Debug, Clone, Default)]
 pub struct Blocks(Vec<Block>);
 
@@ -40,17 +40,17 @@ impl team::Part for Block {
     }
 }
 
-/// Rows of eight particles under way: common columns, with the eight values of each.
+/// Rows of eight particles during assembly: common columns, with eight values each.
 #[derive(Debug, Clone, Default)]
 struct Rows {
     columns: Vec<u32>,
     values: Vec<Eight>,
-    /// Where a column stands among them, if it does.
+    /// The place of a column among them, if it has one.
     slot: Vec<u32>,
 }
 
 impl Rows {
-    /// Takes up a column's values, added to those that an image of it has left.
+    /// Adds a column's values to those of an image of it.
     #[inline(always)]
     fn add<L: Lanes>(&mut self, column: u32, values: L) {
         let at = self.slot[column as usize] as usize;
@@ -64,7 +64,7 @@ impl Rows {
         self.values.push(values.to_array());
     }
 
-    /// Moves the rows of the first few of the eight over to the matrix, without what is zero.
+    /// Moves the rows of the first `count` particles to the matrix, without zeros.
     #[inline(always)]
     fn pass_on(&mut self, count: usize, matrix: &mut Csr) {
         let Csr { starts, columns, values, .. } = matrix;
@@ -74,7 +74,7 @@ impl Rows {
             values.resize(start + self.columns.len(), 0.0);
             let room = (&mut columns[start..], &mut values[start..]);
             let mut found = 0;
-            // Every entry is written, and the next one over it if it was zero.
+            // Every entry is written. If it is zero, the next one overwrites it.
             for (&column, eight) in self.columns.iter().zip(&self.values) {
                 (room.0[found], room.1[found]) = (column, eight[lane]);
                 found += usize::from(eight[lane] != 0.0);
@@ -132,20 +132,22 @@ impl<C: Coupling> Task for Assemble<'_, C> {
 }
 
 impl Near {
-    /// Makes a matrix of the rows Σ_j w_ij (p_i - p_j), the value at a point being that at its original.
+    /// Makes a matrix of the rows Σ_j w_ij (p_i - p_j). The value at an image is that of its
+    /// original.
     pub fn couple(&self, coupling: impl Coupling + Sync, blocks: &mut Blocks, matrix: &mut Csr) {
         let Blocks(blocks) = blocks;
         blocks.resize_with(self.parts.len(), Block::default);
         for (number, block) in blocks.iter_mut().enumerate() {
             block.number = number;
         }
-        // The first rows are put together where they belong.
+        // The first rows are assembled in their final place.
         std::mem::swap(&mut blocks[0].matrix, matrix);
         self.team.share(blocks, (), &|block, ()| {
             let (part, matrix) = (&self.parts[block.number], &mut block.matrix);
             matrix.clear();
             if matrix.columns.capacity() == 0 {
-                // Half of all listed pairs are in reach: room for later and longer lists.
+                // Half of all listed pairs are in reach, so this leaves room for later and longer
+                // lists.
                 matrix.columns.reserve(LANES * part.list.len());
                 matrix.values.reserve(LANES * part.list.len());
             }

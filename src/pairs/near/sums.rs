@@ -77,7 +77,7 @@ where
 }
 
 impl Near {
-    /// Sums terms over the neighbours of every particle, and writes what `close` makes of its sums.
+    /// Sums terms over the neighbours of every particle, and writes what `close` makes of the sums.
     pub fn sum<const N: usize, R: Values>(
         &self,
         terms: impl Term<Total = [Eight; N]> + Sync,
@@ -90,7 +90,7 @@ impl Near {
         });
     }
 
-    /// Shows terms that sum nothing the pairs of the water with its images, in their order.
+    /// Visits the pairs of the water with its images in order, for terms without sums.
     pub fn over_images(&self, terms: impl Term<Total = [Eight; 0]>) {
         for part in &self.parts {
             let (near, values, close) = (self, (), &|_, _: [f64; 0]| ());

@@ -1,13 +1,13 @@
-//! Where passes write what they find of each particle.
+//! Where passes write their results for each particle.
 
 use crate::math::simd::LANES;
 use crate::math::team::{First, Rows};
 
-/// Values of particles, those of a part.
+/// Values of the particles of a part.
 pub trait Values: Rows {
-    /// What is written of a particle.
+    /// The value of a particle.
     type Value;
-    /// Writes it, of the particle with this place in the part.
+    /// Writes the value of the particle at this place in the part.
     fn put(&mut self, place: usize, value: Self::Value);
 }
 

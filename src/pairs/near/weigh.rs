@@ -10,10 +10,10 @@ use crate::pairs::fields::Here;
 use crate::pairs::record::Record;
 use crate::with_kernel;
 
-/// Squares of distances below this, in support radii, count as this.
+/// Smaller squared distances, in support radii, are replaced by this.
 const COINCIDENT: f64 = 1e-12;
 
-/// What the support of a particle comes to, F being -g.
+/// The sums over the support of a particle, with F = -g.
 #[derive(Debug, Clone, Copy)]
 pub struct Moments {
     /// Σ V W, itself included.
