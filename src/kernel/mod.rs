@@ -1,8 +1,8 @@
 //! Smoothing kernels, in coordinates scaled by the support radius R.
 //!
-//! W(r) = C/R² · w(q) with q = r/R, zero for q ≥ 1. A kernel is one file with one [`Kernel`]
+//! W(r) = C/R² · w(q) with q = r/R, zero for q ≥ 1. A kernel needs one file with one [`Kernel`]
 //! implementation, and two lines here: its `mod` and its place in `kernels!`. Its name in scene
-//! files comes from there, and the tests below run over all of them.
+//! files comes from there. The tests below run over all kernels.
 
 mod cubic_spline;
 mod gaussian;
@@ -23,7 +23,7 @@ pub trait Kernel: Copy + Send + Sync + 'static {
     /// w(q) from s = q² (above 0) and 1/q.
     fn shape<V: Vector>(s: V, inverse_q: V) -> V;
 
-    /// A constant factor of w'(q)/q that is multiplied in elsewhere, once per particle.
+    /// A constant factor of w'(q)/q that is applied elsewhere, once per particle.
     const SLOPE_FACTOR: f64;
 
     /// w'(q)/q over [`Kernel::SLOPE_FACTOR`] from s = q² (above 0), q and 1/q; zero where q ≥ 1.
@@ -127,8 +127,9 @@ impl KernelChoice {
             path, Probe::<K>(q, std::marker::PhantomData)))
     }
 
-    /// Share of the kernel's integral on the near side of a straight line at the signed distance
-    /// `d` (in support radii) beyond the kernel's centre: 1/2 at d = 0, 1 for d ≥ 1.
+    /// Share of the kernel's integral on the near side of a straight line. The line is at the
+    /// signed distance `d` (in support radii) beyond the kernel's centre: 1/2 at d = 0, 1 for d ≥
+    /// 1.
     pub fn half_plane_fraction(self, d: f64) -> f64 {
         if d.abs() >= 1.0 {
             return if d > 0.0 { 1.0 } else { 0.0 };

@@ -38,7 +38,7 @@ fn every_kernel_ends_at_its_support() {
     for kernel in KernelChoice::ALL {
         let beyond = with_kernel!(kernel, K => crate::math::simd::dispatch(
             crate::math::simd::SimdPath::widest(), Beyond::<K>(std::marker::PhantomData)));
-        // At q = 1 itself a slope that falls straight to zero has what rounding leaves of 1 - q.
+        // At q = 1 rounding of 1 - q remains in a slope that falls straight to zero.
         assert!(beyond[0].abs() < 1e-15, "{kernel:?}: {beyond:?}");
         assert!(beyond[1..].iter().all(|v| v.abs() < 1e-30), "{kernel:?}: {beyond:?}");
         assert!(kernel.shape_at(0.999_999).abs() < 1e-4, "{kernel:?}");
