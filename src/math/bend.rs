@@ -1,16 +1,18 @@
-//! How much a curve through points bends: what linear interpolation between two of them misses.
+//! The curvature of a curve through points: the error of linear interpolation between two of them.
 
 use super::lists::ends;
 
-/// A curve may bend by so much more than the parabolas on both sides of an interval do, and the one on one side.
+/// Share by which a curve may bend more than the parabolas on both sides of an interval, or than
+/// one on one side.
 const MORE: [f64; 2] = [0.5, 2.0];
 
-/// What a change of the bend does to where a value is crossed, as a share of the interval. Wherever in the interval
-/// the bend changes, and where values scatter, the curve is off near the ends, too.
+/// Effect of a change of the curvature on the place where a value is crossed, as a share of the
+/// interval. The change may be anywhere in the interval, and values may scatter, so the curve is
+/// also wrong near the ends.
 const SCATTER: f64 = 1.0 / 3.0;
 
-/// Three points in a straight line may be those of a step. So their bend may change by as much. It counts in the
-/// bend of a parabola that turns at an end of the interval.
+/// Three points in a straight line may be those of a step. So their curvature may change by this
+/// much, relative to that of a parabola that turns at an end of the interval.
 const UNSEEN: f64 = 0.75;
 
 /// A point of a curve: its place and its value.
@@ -21,27 +23,30 @@ pub fn half_curvature([(x0, y0), (x1, y1), (x2, y2)]: [Point; 3]) -> f64 {
     ((y2 - y1) / (x2 - x1) - (y1 - y0) / (x1 - x0)) / (x2 - x0)
 }
 
-/// What a bend counts in: that of a parabola that turns at an end of the interval.
+/// The unit of curvature: that of a parabola that turns at an end of the interval.
 fn unit([(x0, y0), (x1, y1)]: [Point; 2]) -> f64 {
     (y1 - y0) / ((x1 - x0) * (x1 - x0))
 }
 
-/// The points beside an interval, the nearest first, as far as there are any.
+/// The points beside an interval, the nearest first, if there are any.
 type Beside = [Option<Point>; 2];
 
-/// What the points in and beside an interval tell of a curve's bend in it, as half of its second derivative.
+/// The curvature within an interval, as the points in and beside it show it, as half of the second
+/// derivative.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bend {
-    /// That of the parabolas through both ends and the next point on either side: the least and the largest.
+    /// Those of the parabolas through both ends and the next point on either side: the least and
+    /// the largest.
     ends: [f64; 2],
-    /// How far it changes from three points to the next three.
+    /// Its change from three points to the next three.
     change: f64,
-    /// A parabola on one side alone.
+    /// Whether there is a parabola on one side only.
     one_sided: bool,
 }
 
 impl Bend {
-    /// That between the point of a line with this number and the next; `None` without both of them and a third.
+    /// The curvature between the point number `at` of a line and the next one. `None` without both
+    /// of them and a third.
     pub fn after(at: usize, point: impl Fn(usize) -> Option<Point>) -> Option<Bend> {
         let before = [1, 2].map(|back| point(at.checked_sub(back)?));
         Bend::of([point(at)?, point(at + 1)?], before, [point(at + 2), point(at + 3)])
@@ -55,7 +60,7 @@ impl Bend {
         let bends = [0, 1, 2, 3].map(three);
         let changes = bends.windows(2).filter_map(|pair| Some((pair[1]? - pair[0]?).abs()));
         let ends = ends(bends[1..3].iter().copied().flatten())?;
-        // Three points do not tell of a change: it may be as large as the bend.
+        // Three points do not show a change: it may be as large as the curvature.
         let unseen = || ends.0.abs().max(UNSEEN * unit(interval).abs());
         Some(Bend {
             ends: ends.into(),
@@ -64,17 +69,18 @@ impl Bend {
         })
     }
 
-    /// What it may be, by what it is and how far it changes beside.
+    /// Bound of the curvature, from its value and its change nearby.
     pub fn most(self) -> f64 {
         self.largest() + self.change
     }
 
-    /// That of either parabola.
+    /// The larger of both parabolas' values.
     fn largest(self) -> f64 {
         self.ends[0].abs().max(self.ends[1].abs())
     }
 
-    /// Between which shares of the interval nearly all such curves have a value that lies between those of its ends.
+    /// Shares of the interval between which nearly all such curves have a value. The value must lie
+    /// between those of the ends.
     pub fn crossings(self, interval: [Point; 2], value: f64) -> [f64; 2] {
         let more = MORE[usize::from(self.one_sided)] * self.largest();
         let halves = [self.ends[0] - more, 0.0, self.ends[1] + more];
@@ -85,17 +91,17 @@ impl Bend {
     }
 }
 
-/// The largest deviation from the chord within an interval, that in its middle: |f''| d²/8.
+/// The largest deviation from the chord within an interval, which is in its middle: |f''| d²/8.
 pub fn sagitta(interval: [Point; 2], half_curvature: f64) -> f64 {
     let width = interval[1].0 - interval[0].0;
     half_curvature.abs() * width * width / 4.0
 }
 
-/// Where a parabola through both ends of an interval has a value that lies between theirs, as a share of
-/// the interval. A curvature of 0 is the chord.
+/// Where a parabola through both ends of an interval has a value between theirs, as a share of the
+/// interval. A curvature of 0 is the chord.
 pub fn crossing(interval: [Point; 2], half_curvature: f64, value: f64) -> f64 {
     let [(x0, y0), (x1, y1)] = interval;
-    // y0 + (y1 - y0) t + b t (t - 1) = value, of which the root in [0, 1] is wanted.
+    // y0 + (y1 - y0) t + b t (t - 1) = value; the root in [0, 1] is wanted.
     let b = half_curvature * (x1 - x0) * (x1 - x0);
     let (slope, rest) = (y1 - y0 - b, y0 - value);
     let root = (slope * slope - 4.0 * b * rest).max(0.0).sqrt();
@@ -162,7 +168,8 @@ mod tests {
         let bend = Bend::of(interval, [Some((-1.0, 0.0)), None], [Some((2.0, -2.0)), None]);
         let [first, last] = bend.unwrap().crossings(interval, -1.0);
         assert!(first < 0.1 && last > 0.9, "{first} to {last}");
-        // Three points in a straight line bend by nothing, but nothing tells that they always do. Four tell.
+        // Three points in a straight line have no curvature, but it may still change. A fourth
+        // point shows that it does not.
         let known = |last: Option<Point>| {
             let behind = [Some((2.0, -4.0)), last];
             Bend::of(interval, [None; 2], behind).unwrap().most()

@@ -1,6 +1,6 @@
 //! Comma-separated text.
 
-/// A table of words and numbers as text; a cell that holds a comma stands in quotes.
+/// A table of words and numbers as text. A cell with a comma is quoted.
 ///
 /// # Panics
 /// Where a row is not as wide as the first.

@@ -5,12 +5,12 @@ pub fn significant(value: f64, digits: usize) -> f64 {
     format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value)
 }
 
-/// A positive value rounded up to a number of significant digits, as a bound from below is told.
+/// A positive value rounded up to a number of significant digits, for the text of a lower bound.
 pub fn rounded_up(value: f64, digits: usize) -> f64 {
     to_digits(value, digits, f64::ceil)
 }
 
-/// A positive value rounded down, as a bound from above is told.
+/// A positive value rounded down, for the text of an upper bound.
 pub fn rounded_down(value: f64, digits: usize) -> f64 {
     to_digits(value, digits, f64::floor)
 }
@@ -31,7 +31,7 @@ pub fn read(text: &str) -> Option<f64> {
     })
 }
 
-/// A raised digit or sign as a plain one.
+/// A superscript digit or sign as a plain one.
 fn plain_digit(raised: char) -> Option<char> {
     "⁰¹²³⁴⁵⁶⁷⁸⁹⁻".chars().zip("0123456789-".chars()).find(|(own, _)| *own == raised).map(|(_, c)| c)
 }

@@ -1,4 +1,4 @@
-//! The start of SHA-256, by which files and studies are known.
+//! The start of SHA-256, which identifies files and studies.
 
 use sha2::{Digest, Sha256};
 

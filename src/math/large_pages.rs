@@ -1,7 +1,8 @@
 //! Memory of large arrays on large pages.
 //!
-//! The processor keeps only so many pages' places at hand. Water of 80,000 particles and its pairs fill some
-//! 20,000 pages of 4 kB, so passes over them wait for places. Linux gives pages of 2 MB where it is asked to.
+//! The processor caches the addresses of a limited number of pages. Water of 80,000 particles and
+//! its pairs fill some 20,000 pages of 4 kB, so passes over them wait for addresses. Linux gives
+//! pages of 2 MB on request.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 
@@ -10,7 +11,8 @@ use rustix::mm::{Advice, madvise};
 /// Bytes of a large page.
 const PAGE: usize = 2 << 20;
 
-/// The system's allocator, which asks for large pages under whatever fills one. What is smaller stays with it as it is.
+/// The system's allocator. It asks for large pages for memory that fills at least one. Smaller
+/// memory is unchanged.
 pub struct LargePages;
 
 /// How memory of this size is laid out on large pages; none if it fills no page.
@@ -26,7 +28,7 @@ unsafe impl GlobalAlloc for LargePages {
         // SAFETY: the caller's promise is passed on; a larger alignment breaks none.
         let place = unsafe { System.alloc(large.unwrap_or(layout)) };
         if let Some(large) = large.filter(|_| !place.is_null()) {
-            // Pages that hold other things as well are left out. A refusal costs speed alone.
+            // Pages that also hold other data are left out. A refusal only costs speed.
             let whole = large.size() / PAGE * PAGE;
             // SAFETY: the range was allocated above.
             let _ = unsafe { madvise(place.cast(), whole, Advice::LinuxHugepage) };

@@ -1,4 +1,4 @@
-//! What a list holds: its different items, how often each occurs, ends and middle of its numbers.
+//! Functions of lists: different items, counts, ends and medians.
 
 use std::collections::{BTreeMap, HashMap};
 use std::hash::Hash;
@@ -21,7 +21,7 @@ pub fn counts<T: Ord>(items: impl IntoIterator<Item = T>) -> BTreeMap<T, usize> 
     counts
 }
 
-/// The same, the most frequent first, and else in the order of the first of each.
+/// The same, the most frequent first; equal counts keep the order of the first of each.
 pub fn tallied<T: PartialEq + Clone>(items: &[T]) -> Vec<(T, usize)> {
     let count = |item: &T| items.iter().filter(|other| *other == item).count();
     let counted = different(items).into_iter().map(|item| (item.clone(), count(item)));

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-/// How places on an axis are spread.
+/// How values are spread along an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Scale {
@@ -12,18 +12,18 @@ pub enum Scale {
     Log,
 }
 
-/// Positive values further apart than this stand on a logarithmic axis.
+/// Positive values whose ratio is larger than this are on a logarithmic axis.
 const FAR: f64 = 100.0;
 
 impl Scale {
-    /// That of values of which nobody says more: logarithmic where all are above 0 and the largest is a
+    /// The default scale of some values: logarithmic if all are above 0 and the largest is a
     /// hundred times the smallest or more.
     pub fn of(values: impl Iterator<Item = f64>) -> Scale {
         let is_far = |(low, high): (f64, f64)| low > 0.0 && high >= FAR * low;
         if super::lists::ends(values).is_some_and(is_far) { Scale::Log } else { Scale::Linear }
     }
 
-    /// Where a value stands.
+    /// The place of a value.
     pub fn place(self, value: f64) -> f64 {
         match self {
             Scale::Linear => value,
@@ -31,7 +31,7 @@ impl Scale {
         }
     }
 
-    /// The value at a place, rounded as one writes it.
+    /// The value at a place, rounded as people write it.
     pub fn value(self, place: f64) -> f64 {
         let value = match self {
             Scale::Linear => place,

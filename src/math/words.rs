@@ -1,4 +1,4 @@
-//! Words of sentences.
+//! Words and sentences for people.
 
 use std::io;
 
@@ -22,7 +22,7 @@ pub fn capitalised(text: &str) -> String {
     letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
 }
 
-/// What the system says of a file, for people.
+/// An error of the system about a file, for people.
 pub fn in_words(error: &io::Error) -> String {
     use io::ErrorKind::{AlreadyExists, IsADirectory, NotADirectory, NotFound};
     /// Too many open files: of this process, and of the machine.
@@ -60,7 +60,7 @@ mod tests {
         assert_eq!(capitalised(" largest force"), "Largest force");
     }
 
-    /// Too few open files were an "uncategorized error".
+    /// Too many open files were once called an "uncategorized error".
     #[test]
     fn the_systems_errors_are_told_plainly() {
         let told = |number| in_words(&io::Error::from_raw_os_error(number));

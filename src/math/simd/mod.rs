@@ -1,8 +1,8 @@
 //! Eight-lane vectors of `f64`, with the instruction set chosen at run time.
 //!
-//! A hot loop is a [`Task`], written once against [`Lanes`]; [`dispatch`] compiles it for every
-//! [`SimdPath`] and runs the chosen one, so that one binary serves every node of a cluster.
-//! All operations are correctly rounded, so AVX-512 and AVX2 give the same bits on any processor.
+//! A hot loop is a [`Task`], written once against [`Lanes`]. [`dispatch`] compiles it for every
+//! [`SimdPath`] and runs the chosen one, so that one binary serves every node of a cluster. All
+//! operations are correctly rounded, so AVX-512 and AVX2 give the same bits on any processor.
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;
@@ -20,8 +20,8 @@ use serde::{Deserialize, Serialize};
 /// Number of lanes of every vector.
 pub const LANES: usize = 8;
 
-/// An instruction set for the hot loops. AVX-512 and AVX2 give the same bits; the portable path
-/// has no fused multiply-add and differs in rounding.
+/// An instruction set for the hot loops. AVX-512 and AVX2 give the same bits. The portable path has
+/// no fused multiply-add and differs in rounding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SimdPath {
@@ -69,7 +69,7 @@ pub trait Lanes: Vector {
     /// The values at eight places.
     ///
     /// # Panics
-    /// One of them lies outside.
+    /// One of them is outside.
     fn gather(values: &[f64], at: &[u32; LANES]) -> Self;
     /// Writes eight values.
     fn store(self, values: &mut [f64; LANES]);
@@ -88,9 +88,9 @@ pub trait Lanes: Vector {
     }
     /// Reads eight values in single precision.
     fn load_single(values: &[f32; LANES]) -> Self;
-    /// Runs a task of the same path as a function of its own, so that its registers are its own.
+    /// Runs a task of the same path as a function of its own, with its own registers.
     fn call<T: Task>(task: T) -> T::Output;
-    /// Sends for the value that lies so many values after one in memory, if there is any.
+    /// Prefetches the value that lies this many values after another in memory, if there is one.
     #[inline(always)]
     fn prefetch<T>(value: &T, ahead: usize) {
         let _ = (value, ahead);
@@ -103,7 +103,7 @@ pub trait Lanes: Vector {
         values
     }
 
-    /// The values of several vectors: a closure would be a function of its own, without the path's
+    /// The values of several vectors. A closure would be a function of its own, without the path's
     /// instructions.
     #[inline(always)]
     fn to_arrays<const N: usize>(vectors: [Self; N]) -> [[f64; LANES]; N] {
@@ -126,11 +126,11 @@ pub trait Lanes: Vector {
 pub trait Task {
     /// What it returns.
     type Output;
-    /// The loop itself; must be `#[inline(always)]`, like all that it calls in its hot part.
+    /// The loop itself. It must be `#[inline(always)]`, as must everything that its hot part calls.
     fn run<L: Lanes>(self) -> Self::Output;
 }
 
-/// Runs a task with the instructions of `path`, or portably where the processor lacks them.
+/// Runs a task with the instructions of `path`, or portably if the processor lacks them.
 pub fn dispatch<T: Task>(path: SimdPath, task: T) -> T::Output {
     #[cfg(target_arch = "x86_64")]
     match path {

@@ -22,8 +22,8 @@ pub(super) fn run<T: Task>(task: T) -> T::Output {
     task.run::<Portable>()
 }
 
-// Plain loops: iterators stay functions of their own within the longest of tasks, which then take thirty
-// times as long, unless the whole program is optimised at once.
+// Plain loops. In the longest tasks iterators are not inlined, unless the whole program is
+// optimised at once. The tasks then take thirty times as long.
 
 /// A function of each of eight values.
 #[inline(always)]

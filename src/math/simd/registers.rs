@@ -1,5 +1,4 @@
-//! Arithmetic that the processor does in one instruction per register, for vectors of one register
-//! or two.
+//! Arithmetic with one processor instruction per register, for vectors of one or two registers.
 
 /// Sums, differences and products: the vector, its registers, the instructions.
 macro_rules! operators {

@@ -1,15 +1,15 @@
-//! Arithmetic of vectors, whatever their values stand for.
+//! Arithmetic of vectors.
 
 use std::ops::{Add, AddAssign, Mul, Sub};
 
 use super::{LANES, Lanes};
 
-/// Start of 1/√x: the bits of x, halved and taken from this, have about the right exponent.
+/// Start of 1/√x: the bits of x, halved and subtracted from this, have about the right exponent.
 pub(super) const RSQRT_MAGIC: i64 = 0x5FE6_EB50_C7B5_37A9;
 
-/// Adding and taking away 1.5·2^52 rounds to an integer.
+/// Adding and subtracting 1.5·2^52 rounds to an integer.
 pub(super) const DOUBLE_ROUNDING: f64 = 6_755_399_441_055_744.0;
-/// ln 2 in two parts, the first of few enough digits for exact products.
+/// ln 2 in two parts. The first has few enough digits for exact products.
 pub(super) const DOUBLE_LN_2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
 
 /// In single precision 1.5·2^23 rounds to integers ...
@@ -21,16 +21,16 @@ pub(super) const SINGLE_LN_2: [f64; 2] = [0.693_359_375, -2.121_944_400_546_9e-4
 pub trait Vector:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + AddAssign
 {
-    /// The same in double precision: what sums that must be exact are kept in.
+    /// The same in double precision, for sums that must be exact.
     type Wide: Lanes;
 
-    /// How many sums a loop over pairs keeps side by side, and adds to in turns. In single precision
-    /// two: every other pair has sums of its own.
+    /// Number of sums that a loop over pairs keeps side by side, and adds to in turns. In single
+    /// precision there are two: every other pair has sums of its own.
     const TURNS: usize = 1;
-    /// The processor's own roots and quotients take less time than a chain of products: registers of
-    /// single precision.
+    /// Whether the processor's own roots and quotients take less time than a chain of products.
+    /// They do in registers of single precision.
     const QUICK_ROOTS: bool = false;
-    /// Adding and taking this away rounds to an integer.
+    /// Adding and subtracting this rounds to an integer.
     const ROUNDING: f64 = DOUBLE_ROUNDING;
     /// ln 2 in two parts, the first of few enough digits for exact products.
     const LN_2: [f64; 2] = DOUBLE_LN_2;
@@ -64,7 +64,7 @@ pub trait Vector:
     fn min(self, other: Self) -> Self;
     /// The larger of each pair.
     fn max(self, other: Self) -> Self;
-    /// `1 / sqrt(self)`: to 3.5 %, from its bits, as a start for refinement, or all of it where roots
+    /// `1 / sqrt(self)`: to 3.5 %, from its bits, as a start for refinement. It is exact if roots
     /// are quick.
     #[inline(always)]
     fn rsqrt_guess(self) -> Self {
@@ -72,17 +72,19 @@ pub trait Vector:
     }
     /// `if_less` where `self < bound`, else `otherwise`.
     fn select_less(self, bound: Self, if_less: Self, otherwise: Self) -> Self;
-    /// 2^n, where `self` is n + [`Vector::ROUNDING`] for an integer n that 2^n allows.
+    /// 2^n, where `self` is n + [`Vector::ROUNDING`] for an integer n in the range of exponents.
     fn power_of_two(self) -> Self;
 
     /// `1 / sqrt(self)` to about 1e-15 (1e-7 in single precision), for any positive normal number.
-    /// Products and sums alone: they overlap where a square root and a division would queue.
+    /// It only uses products and sums. They overlap, where a square root and a division would
+    /// queue.
     #[inline(always)]
     fn rsqrt(self) -> Self {
         if Self::QUICK_ROOTS {
             return self.rsqrt_guess();
         }
-        // With e = 1 - x y², 1/√x = y (1 + e/2 + 3 e²/8 + 5 e³/16 + ...): two terms of it, then three.
+        // With e = 1 - x y², 1/√x = y (1 + e/2 + 3 e²/8 + 5 e³/16 + ...): first two of these terms,
+        // then three.
         let y = self.rsqrt_guess();
         let e = (self * y).negated_mul_add(y, Self::splat(1.0));
         let slope = e.mul_add(Self::splat(0.375), Self::splat(0.5));
@@ -103,12 +105,13 @@ pub trait Vector:
         let inverse = self.rsqrt();
         [self * inverse, inverse]
     }
-    /// What [`Vector::over`] takes to divide by `self`, whose [roots](Vector::roots) are known.
+    /// The number that [`Vector::over`] needs to divide by `self`, whose [roots](Vector::roots) are
+    /// known.
     #[inline(always)]
     fn divisor(self, [_, inverse]: [Self; 2]) -> Self {
         if Self::QUICK_ROOTS { self } else { inverse * inverse }
     }
-    /// `self` over what [`Vector::divisor`] was made of.
+    /// `self` divided by the vector of this [`Vector::divisor`].
     #[inline(always)]
     fn over(self, divisor: Self) -> Self {
         if Self::QUICK_ROOTS { self.div(divisor) } else { self * divisor }

@@ -1,4 +1,4 @@
-//! Compressed rows, the diagonal apart.
+//! Compressed rows, with the diagonal stored separately.
 
 use std::ops::Range;
 
@@ -8,7 +8,7 @@ use crate::math::team::{Team, cut};
 /// A square matrix by rows: the diagonal in an array of its own, the rest compressed.
 #[derive(Debug, Clone, Default)]
 pub struct Csr {
-    /// Where each row starts among the entries, and where the last one ends.
+    /// The start of each row among the entries, and the end of the last one.
     pub starts: Vec<u32>,
     /// Column of each entry off the diagonal.
     pub columns: Vec<u32>,
@@ -17,7 +17,7 @@ pub struct Csr {
     /// The diagonal.
     pub diagonal: Vec<f64>,
     team: Team,
-    /// The rows in parts; none where nobody shares the work.
+    /// The rows in parts; none if the work is not shared.
     parts: Vec<Range<usize>>,
 }
 
@@ -41,7 +41,7 @@ impl Csr {
         self.diagonal.extend_from_slice(&more.diagonal);
     }
 
-    /// Has a team share the products with the rows that are there.
+    /// Shares the products with the present rows among a team.
     pub fn share_among(&mut self, team: &Team) {
         self.parts.clear();
         if team.parts() > 1 {
@@ -50,12 +50,12 @@ impl Csr {
         self.team = team.clone();
     }
 
-    /// Who shares the work on the matrix.
+    /// The team that shares the work on the matrix.
     pub fn team(&self) -> &Team {
         &self.team
     }
 
-    /// Finds a value of every row, given its number.
+    /// Finds a value for every row, given its number.
     pub fn each_row<T: Send>(&self, values: &mut [T], find: impl Fn(usize) -> T + Sync) {
         self.share(values, |rows, values| {
             for (row, value) in rows.zip(values) {
@@ -71,7 +71,7 @@ impl Csr {
         self.team.read(parts, values, &|rows, values| work(rows.clone(), values));
     }
 
-    /// What comes of `y` and `A x`, row by row.
+    /// Writes a function of `y` and `A x`, row by row.
     fn products(
         &self,
         path: SimdPath,
@@ -84,7 +84,7 @@ impl Csr {
         });
     }
 
-    /// Ends a row whose entries off the diagonal have been put in.
+    /// Ends a row whose off-diagonal entries have been added.
     pub fn end_row(&mut self) {
         self.starts.push(self.columns.len() as u32);
     }

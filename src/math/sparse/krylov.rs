@@ -3,7 +3,7 @@
 use super::{Csr, Preconditioner};
 use crate::math::simd::SimdPath;
 
-/// A square matrix that is known by its products alone.
+/// A square matrix of which only products are known.
 pub trait Product {
     /// `y = A x`.
     fn multiply(&mut self, x: &[f64], y: &mut [f64]);
@@ -35,24 +35,24 @@ impl Product for Stored<'_> {
 /// When a solve ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StopRule {
-    /// Solved when |b - A x| has come down to this share of the larger of |b| and `floor`.
+    /// Solved when |b - A x| has fallen to this share of the larger of |b| and `floor`.
     pub tolerance: f64,
-    /// |b|, where b holds terms that are not to count.
+    /// Replaces |b|, if b has terms that must not count.
     pub size: Option<f64>,
     /// A norm below which a right-hand side counts as zero.
     pub floor: f64,
-    /// Given up after this many iterations.
+    /// Fails after this many iterations.
     pub most_iterations: u32,
 }
 
-/// How a solve went.
+/// The result of a solve.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct SolveReport {
     /// Iterations done.
     pub iterations: u32,
-    /// |b - A x| over the larger of |b| and the floor.
+    /// b - A x| relative to the larger of |b| and the floor.
     pub residual: f64,
-    /// Whether it came down to the tolerance.
+    /// Whether it fell to the tolerance.
     pub converged: bool,
 }
 
@@ -63,7 +63,7 @@ pub struct Krylov {
     direction: Vec<f64>,
     image: Vec<f64>,
     ready: Vec<f64>,
-    /// Of BiCGSTAB alone.
+    /// Only for BiCGSTAB.
     shadow: Vec<f64>,
     other: Vec<f64>,
     second: Vec<f64>,
@@ -90,7 +90,7 @@ fn add_scaled(y: &mut [f64], factor: f64, x: &[f64]) {
 }
 
 impl Krylov {
-    /// Makes room and finds the residual of the guess `x`; returns what a residual is measured by.
+    /// Resizes the arrays and finds the residual of the guess `x`. Returns the scale of residuals.
     fn start(&mut self, a: &mut impl Product, b: &[f64], x: &[f64], rule: &StopRule) -> f64 {
         let Krylov { residual, direction, image, ready, shadow, other, second } = self;
         for field in [residual, direction, image, ready, shadow, other, second] {
@@ -108,7 +108,7 @@ impl Krylov {
         rule.size.unwrap_or_else(|| dot(b, b).sqrt()).max(rule.floor)
     }
 
-    /// How the solve stands; none where it goes on.
+    /// The report if the solve has ended.
     fn end(&self, scale: f64, iterations: u32, rule: &StopRule) -> Option<SolveReport> {
         let residual = dot(&self.residual, &self.residual).sqrt() / scale;
         let converged = residual <= rule.tolerance;
@@ -116,8 +116,8 @@ impl Krylov {
         ends.then_some(SolveReport { iterations, residual, converged })
     }
 
-    /// Conjugate gradients from the guess `x`, for a symmetric positive definite matrix; it may be
-    /// singular where `b` has no part in its null space.
+    /// Conjugate gradients from the guess `x`, for a symmetric positive definite matrix. The matrix
+    /// may be singular if `b` has no part in its null space.
     pub fn conjugate_gradients(
         &mut self,
         a: &mut impl Product,

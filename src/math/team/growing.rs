@@ -1,17 +1,17 @@
-//! Lists that grow by what their own items make.
+//! Lists that grow by items made from their own items.
 
 use std::ops::Range;
 
 use super::{Part, Team, cut};
 
-/// A team that makes lists grow.
+/// Lets lists grow by the work of a team.
 #[derive(Debug)]
 pub struct Growing<T> {
     team: Team,
     parts: Vec<Made<T>>,
 }
 
-/// What consecutive items have made.
+/// The items made from consecutive items.
 #[derive(Debug)]
 struct Made<T> {
     items: Range<usize>,
@@ -25,13 +25,13 @@ impl<T: Send> Part for Made<T> {
 }
 
 impl<T: Copy + Send + Sync> Growing<T> {
-    /// By the work of a team.
+    /// For a team.
     pub fn of(team: &Team) -> Growing<T> {
         let nothing = || Made { items: 0..0, made: Vec::new() };
         Growing { team: team.clone(), parts: (0..team.parts()).map(|_| nothing()).collect() }
     }
 
-    /// Appends what the items of a list make, in their order.
+    /// Appends the items that `make` makes of the items of a list, in order.
     pub fn grow(&mut self, list: &mut Vec<T>, make: impl Fn(&T) -> Option<T> + Sync) {
         let Growing { team, parts } = self;
         let ranges = cut(list.len(), parts.len());

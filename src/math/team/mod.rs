@@ -1,8 +1,8 @@
 //! Threads that work on one case together.
 //!
-//! What they share is cut into parts that are written by one thread each and read by all; sums over
-//! parts are taken afterwards in a fixed order, so that the answer does not depend on how many
-//! threads there are, nor on which of them is the first.
+//! Work is cut into parts. Each part is written by one thread and read by all. Sums over parts are
+//! taken afterwards in a fixed order. So the answer depends neither on the number of threads nor on
+//! their timing.
 
 mod growing;
 mod rows;
@@ -17,15 +17,15 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 pub use growing::Growing;
 pub use rows::{First, Rows};
 
-/// Parts for each thread: one that is late leaves the rest of its parts to the others.
+/// Parts for each thread. A late thread leaves the rest of its parts to the others.
 const PARTS_PER_THREAD: usize = 4;
 
-/// A case's own threads; none by default, then all is done by whoever asks.
+/// The threads of a case. By default there are none, and the calling thread does all the work.
 #[derive(Debug, Clone, Default)]
 pub struct Team(Option<Arc<ThreadPool>>);
 
 impl Team {
-    /// So many threads; none for a single one, nor where the system starts no more of them.
+    /// A team of this many threads; none for a single one, or if the system starts no more.
     pub fn of(threads: usize) -> Team {
         if threads <= 1 {
             return Team(None);
@@ -38,16 +38,16 @@ impl Team {
         Team(pool.ok().map(Arc::new))
     }
 
-    /// Into how many parts the work is best cut: one where there is nobody to share it.
+    /// The best number of parts for the work: one if nobody shares it.
     pub fn parts(&self) -> usize {
         self.0.as_ref().map_or(1, |pool| PARTS_PER_THREAD * pool.current_num_threads())
     }
 
-    /// Does a piece of work on one of the threads, where the others are at hand; the calling thread
-    /// waits, and does nothing else meanwhile.
+    /// Does some work on one of the threads while the others are ready. The calling thread only
+    /// waits.
     pub fn lead<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
         let Some(pool) = &self.0 else { return work() };
-        // From a thread of its own: a thread of another pool would take up that pool's work.
+        // From a new thread: a thread of another pool would start other work of that pool.
         let before = processor_time(pool);
         let attended = || pool.install(|| standby::attended(work));
         let done = std::thread::scope(|scope| scope.spawn(attended).join());
@@ -67,7 +67,7 @@ impl Team {
         self.divide(parts, rows, work);
     }
 
-    /// Does the work on the rows of every part. It only reads the parts.
+    /// Does the work on the rows of every part, and only reads the parts.
     pub fn read<P: Part + Sync, R: Rows>(
         &self,
         parts: &[P],
@@ -86,7 +86,7 @@ impl Team {
     }
 }
 
-/// Does the work on parts, on several at once if they are shared.
+/// Does the work on parts, on several at once if `shared`.
 fn divide<S: Parts, R: Rows>(parts: S, rows: R, shared: bool, work: &(impl Fn(S::One, R) + Sync)) {
     if parts.count() == 1 {
         return work(parts.one(), rows);
@@ -104,18 +104,18 @@ fn divide<S: Parts, R: Rows>(parts: S, rows: R, shared: bool, work: &(impl Fn(S:
     }
 }
 
-/// So many items in so many ranges as even as can be.
+/// Cuts this many items into ranges that are as even as possible.
 pub fn cut(items: usize, parts: usize) -> impl Iterator<Item = Range<usize>> {
     (0..parts).map(move |k| k * items / parts..(k + 1) * items / parts)
 }
 
 thread_local! {
-    /// Processor time of the teams that this thread has let work, seconds.
+    /// Processor time of the teams that worked for this thread, seconds.
     static LED: Cell<f64> = const { Cell::new(0.0) };
 }
 
 /// Processor time of the calling thread so far, and of the teams whose work it has waited for,
-/// seconds; `None` where the system does not tell.
+/// seconds. `None` if the system does not provide it.
 pub fn thread_processor_time() -> Option<f64> {
     own_processor_time().map(|own| own + LED.get())
 }
@@ -130,7 +130,7 @@ fn own_processor_time() -> Option<f64> {
     Some(time.tv_sec as f64 + time.tv_nsec as f64 * 1e-9)
 }
 
-/// Others are not asked.
+/// Other systems are not asked.
 #[cfg(not(target_os = "linux"))]
 fn own_processor_time() -> Option<f64> {
     None
@@ -138,24 +138,24 @@ fn own_processor_time() -> Option<f64> {
 
 /// A part of the work.
 pub trait Part: Send {
-    /// Which of all items it has; the next part's follow them.
+    /// The range of its items. The next part's items follow.
     fn items(&self) -> Range<usize>;
 }
 
-/// A part that is nothing but its items.
+/// A part without other data.
 impl Part for Range<usize> {
     fn items(&self) -> Range<usize> {
         self.clone()
     }
 }
 
-/// Consecutive parts, to be written or to be read.
+/// Consecutive parts, for writing or for reading.
 trait Parts: Send + Sized {
     /// One of them.
     type One;
-    /// How many they are.
+    /// Number of parts.
     fn count(&self) -> usize;
-    /// How many items they have.
+    /// Number of their items.
     fn items(&self) -> usize;
     /// The first half of them, and the others.
     fn halves(self) -> (Self, Self);
@@ -197,7 +197,7 @@ impl<'p, P: Part + Sync> Parts for &'p [P] {
     }
 }
 
-/// How many items consecutive parts have.
+/// Number of items of consecutive parts.
 fn items<P: Part>(parts: &[P]) -> usize {
     let ends = parts.first().zip(parts.last());
     ends.map_or(0, |(first, last)| last.items().end - first.items().start)

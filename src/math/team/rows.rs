@@ -1,8 +1,8 @@
-//! What is written, cut up along with the parts.
+//! Arrays to be written, cut together with the parts.
 
-/// What is written: so many values for each item, in the order of the parts.
+/// Arrays to be written, with a fixed number of values per item, in the order of the parts.
 pub trait Rows: Send + Sized {
-    /// The rows of the first `first` items, and those of the others of `all`.
+    /// Splits off the rows of the first `first` of `all` items.
     fn split(self, first: usize, all: usize) -> (Self, Self);
 }
 
@@ -19,7 +19,7 @@ impl<T: Send> Rows for &mut [T] {
     }
 }
 
-/// So many values for each item, as far as they go: the last items may have fewer, or none.
+/// This many values per item, as far as the array goes: the last items may have fewer, or none.
 pub struct First<'a, T>(pub &'a mut [T], pub usize);
 
 impl<T: Send> Rows for First<'_, T> {

@@ -1,4 +1,4 @@
-//! Threads that stand by: they look for work for a while before they go to sleep, as waking up takes
+//! Threads that stand by. They look for work for a while before they sleep, because waking up takes
 //! longer than a pass over a few thousand particles.
 
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -6,18 +6,18 @@ use std::time::Duration;
 
 use rayon::{Yield, yield_now};
 
-/// Looks for work before a thread goes to sleep that waits for another's part: some tenths of a
-/// millisecond.
+/// A thread that waits for another's part looks for work this many times before it sleeps: some
+/// tenths of a millisecond.
 const SHORT_WAIT: u32 = 1000;
-/// Looks of a thread that stands by, before it takes a nap: some milliseconds.
+/// A thread on standby looks this many times before it naps: some milliseconds.
 const LONG_WAIT: u32 = 10_000;
-/// How long that is.
+/// Length of a nap.
 const NAP: Duration = Duration::from_micros(50);
 
-/// Does work while the other threads of the team stand by: between two shares of it, a thread that had
-/// gone to sleep would wake too late.
+/// Does work while the other threads of the team stand by. A thread that sleeps between two shares
+/// of the work would wake too late.
 pub(super) fn attended<T: Send>(work: impl FnOnce() -> T + Send) -> T {
-    /// Lets the others go, should the work end by a panic, too.
+    /// Releases the others, also if the work panics.
     struct Over<'a>(&'a AtomicBool);
     impl Drop for Over<'_> {
         fn drop(&mut self) {
@@ -38,7 +38,7 @@ pub(super) fn attended<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     })
 }
 
-/// Does two pieces of work, at once where another thread takes up the second.
+/// Does two pieces of work, at the same time if another thread takes the second.
 pub(super) fn join(first: impl FnOnce() + Send, second: impl FnOnce() + Send) {
     let done = AtomicBool::new(false);
     let first = || {
@@ -52,8 +52,7 @@ pub(super) fn join(first: impl FnOnce() + Send, second: impl FnOnce() + Send) {
     rayon::join(first, second);
 }
 
-/// Takes up what the others leave to do, until something is done, or there was nothing to do in so many
-/// looks.
+/// Does other threads' open work until `done`, or until there was none in `most` looks.
 fn help_until(done: &AtomicBool, most: u32) {
     let mut looks = 0;
     while looks < most && !done.load(Ordering::Acquire) {

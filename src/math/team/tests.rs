@@ -45,7 +45,7 @@ fn the_time_of_a_team_counts() {
     Team::of(2).lead(work);
     let after = (own_processor_time(), thread_processor_time());
     if let (Some(before), (Some(own), Some(all))) = (before, after) {
-        // No processor is done with it in two milliseconds.
+        // It takes any processor longer than two milliseconds.
         assert!(all - before > 0.002 && own - before < 0.5 * (all - before), "{own} {all}");
     }
 }

@@ -27,7 +27,7 @@ fn lattice(side: usize, skew: f64) -> Csr {
     a
 }
 
-/// Solves for sin(0.7 k), from zero; how it went and the largest error.
+/// Solves for sin(0.7 k), from zero. Returns the report and the largest error.
 fn solve(
     a: &Csr,
     choice: PreconditionerChoice,

@@ -8,24 +8,24 @@ use crate::math::sparse::Csr;
 use crate::math::team::cut;
 use block::Block;
 
-/// A level is solved directly from this many unknowns down.
+/// A level with at most this many unknowns is solved directly.
 const COARSEST: usize = 120;
-/// Most levels.
+/// Largest number of levels.
 const DEEPEST: usize = 12;
 /// A neighbour joins an aggregate if its entry is at least this share of the row's largest.
 const STRONG: f64 = 0.25;
-/// Coarse corrections of plain aggregation are too short; they are stretched by this factor
+/// Coarse corrections of plain aggregation are too small, so they are multiplied by this factor
 /// (Braess 1995).
 const STRETCH: f64 = 1.6;
-/// Stands for no aggregate.
+/// Means no aggregate.
 const NONE: u32 = u32::MAX;
 
-/// Aggregates of aggregates: one symmetric Gauss-Seidel sweep down and one up on every level,
-/// dense factors on the coarsest.
+/// Aggregates of aggregates. On every level there is one symmetric Gauss-Seidel sweep down and one
+/// up; the coarsest has dense factors.
 #[derive(Debug, Clone, Default)]
 pub struct Hierarchy {
     levels: [Level; DEEPEST],
-    /// How many of them are in use.
+    /// Number of levels in use.
     depth: usize,
     dense: Dense,
 }
@@ -36,13 +36,13 @@ struct Level {
     aggregate: Vec<u32>,
     /// The coarse matrix.
     matrix: Csr,
-    /// How many entries of each row of the finer level count in a sweep from zero.
+    /// Number of entries of each row of the finer level that count in a sweep from zero.
     reached: Vec<u32>,
-    /// What a sweep leaves of each right-hand side of the finer level.
+    /// The residual of the finer level after a sweep.
     left: Vec<f64>,
     right: Vec<f64>,
     solution: Vec<f64>,
-    /// Scratch of the coarsening.
+    /// Work space of the coarsening.
     seeded: Vec<u32>,
     starts: Vec<u32>,
     members: Vec<u32>,
@@ -108,7 +108,7 @@ fn cycle(a: &Csr, levels: &mut [Level], dense: &Dense, r: &[f64], z: &mut [f64])
     relax(a, r, z, (0..a.len()).rev());
 }
 
-/// Forward Gauss-Seidel from zero, without the entries that meet zeros.
+/// Forward Gauss-Seidel from zero. Entries that would be multiplied by zeros are skipped.
 fn relax_from_zero(a: &Csr, reached: &[u32], r: &[f64], z: &mut [f64]) {
     for row in 0..a.len() {
         let (columns, values) = a.row(row);
@@ -118,15 +118,15 @@ fn relax_from_zero(a: &Csr, reached: &[u32], r: &[f64], z: &mut [f64]) {
             sum -= v * z[c as usize];
         }
         if count < columns.len() {
-            // A negative entry times zero makes -0 a plain zero.
+            // Turns -0, from a negative entry times zero, into 0.
             sum += 0.0;
         }
         z[row] = sum / a.diagonal[row];
     }
 }
 
-/// How many entries of a row count in a forward sweep from zero: those after them meet zeros. All do where
-/// what comes after has no negative entry.
+/// Number of entries of a row that count in a forward sweep from zero. Later ones would be
+/// multiplied by zeros. All count if none of the later ones is negative.
 fn reached(a: &Csr, row: usize) -> u32 {
     let (columns, values) = a.row(row);
     let later = columns.iter().rev().take_while(|&&c| c as usize > row).count();
@@ -168,7 +168,7 @@ impl Level {
                 count += 1;
             }
         }
-        // The rest join the neighbour they hang on to most.
+        // The rest join the neighbour with the strongest entry.
         seeded.clone_from(aggregate);
         for row in (0..n).filter(|&row| seeded[row] == NONE) {
             let (columns, values) = fine.row(row);
@@ -193,7 +193,7 @@ impl Level {
         for (block, rows) in blocks.iter_mut().zip(cut(count, team.parts())) {
             block.rows = rows;
         }
-        // The first rows are put together where they belong.
+        // The first rows are assembled in their final place.
         std::mem::swap(&mut blocks[0].matrix, matrix);
         let members = |row: usize| &members[starts[row] as usize..starts[row + 1] as usize];
         team.share(blocks, (), &|block, ()| block.gather(fine, aggregate, (count, members)));

@@ -6,12 +6,12 @@ use crate::math::sparse::Csr;
 #[derive(Debug, Clone, Default)]
 pub(super) struct Dense {
     factors: Vec<f64>,
-    /// 0 where there are none, as of a matrix that is not small.
+    /// 0 if there are no factors, because the matrix is not small.
     pub size: usize,
 }
 
 impl Dense {
-    /// Finds the factors of a matrix of at most so many rows.
+    /// Finds the factors of a matrix of at most `most` rows.
     pub fn factorise(&mut self, a: &Csr, most: usize) {
         let n = if a.len() <= most { a.len() } else { 0 };
         let dense = &mut self.factors;

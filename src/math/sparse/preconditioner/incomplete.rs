@@ -3,10 +3,10 @@
 use super::Inverse;
 use crate::math::sparse::Csr;
 
-/// D-ILU: A ≈ (D + L) D⁻¹ (D + U) with A's own strict triangles L and U and the pivots
-/// d_i = a_ii - Σ_{j<i} a_ij a_ji / d_j, so that the diagonal is met exactly (Meurant 1999,
-/// section 8.2). On a symmetric matrix it is the incomplete Cholesky factorisation without
-/// corrections off the diagonal; for the M-matrices of the pressure equation pivots stay positive.
+/// D-ILU: A ≈ (D + L) D⁻¹ (D + U) with A's own strict triangles L and U. The pivots d_i = a_ii -
+/// Σ_{j<i} a_ij a_ji / d_j reproduce the diagonal exactly (Meurant 1999, section 8.2). On a
+/// symmetric matrix it is the incomplete Cholesky factorisation without corrections off the
+/// diagonal. For the M-matrices of the pressure equation pivots stay positive.
 #[derive(Debug, Clone, Default)]
 pub struct Incomplete {
     inverse_pivots: Vec<f64>,
@@ -31,13 +31,14 @@ impl Inverse for Incomplete {
             }
             lower.end_row();
             upper.end_row();
-            // a_ij a_ji without a search: a_ij² where A is symmetric, and as good where it is not.
+            // a_ij² in place of a_ij a_ji needs no search. It is exact where A is symmetric, and
+            // good enough elsewhere.
             let mut pivot = a.diagonal[row];
             let (columns, values) = lower.row(row);
             for (&c, v) in columns.iter().zip(values) {
                 pivot -= v * v * inverse[c as usize];
             }
-            // A pivot far below the diagonal would amplify: keep it at bay.
+            // A pivot far below the diagonal would amplify, so it is bounded.
             inverse.push(1.0 / pivot.max(1e-2 * a.diagonal[row]));
         }
     }

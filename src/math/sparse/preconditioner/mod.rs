@@ -1,7 +1,7 @@
 //! Approximate inverses, one per file.
 //!
-//! A new one is a file with an implementation of [`Inverse`], and two lines here: its `mod` and its place in
-//! `preconditioners!`.
+//! A new one needs a file with an implementation of [`Inverse`], and two lines here: its `mod` and
+//! its place in `preconditioners!`.
 
 mod aggregation;
 mod dense;
@@ -12,9 +12,9 @@ use serde::{Deserialize, Serialize};
 
 use super::Csr;
 
-/// An approximate inverse. Its application is a symmetric, positive definite operation.
+/// An approximate inverse. It must be a symmetric, positive definite operation.
 trait Inverse: Default {
-    /// Gets ready for a matrix.
+    /// Prepares for a matrix.
     fn prepare(&mut self, a: &Csr);
 
     /// `z` ≈ A⁻¹ `r`.
@@ -49,7 +49,7 @@ macro_rules! preconditioners {
                 })
             }
 
-            /// Gets ready for a matrix.
+            /// Prepares for a matrix.
             pub fn prepare(&mut self, a: &Csr) {
                 match &mut self.0 {
                     $(Chosen::$name(inverse) => inverse.prepare(a),)+

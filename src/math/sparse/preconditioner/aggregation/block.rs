@@ -1,4 +1,4 @@
-//! A stretch of rows of a coarse matrix, put together by one member of a team.
+//! A range of rows of a coarse matrix, assembled by one member of a team.
 
 use std::ops::Range;
 
@@ -6,12 +6,12 @@ use super::NONE;
 use crate::math::sparse::Csr;
 use crate::math::team::Part;
 
-/// Consecutive rows of a coarse matrix under way.
+/// Consecutive rows of a coarse matrix during assembly.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Block {
     pub rows: Range<usize>,
     pub matrix: Csr,
-    /// Where a column stands among the entries, if it does.
+    /// The place of a column among the entries, if it has one.
     slot: Vec<u32>,
 }
 
@@ -22,7 +22,7 @@ impl Part for Block {
 }
 
 impl Block {
-    /// Sums the entries between aggregates, of which there are `count` with the members that are told.
+    /// Sums the entries between aggregates. There are `count` aggregates with these members.
     pub fn gather<'m>(
         &mut self,
         fine: &Csr,
