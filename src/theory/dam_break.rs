@@ -1,5 +1,5 @@
-//! A column of water at the instant at which its gate is gone: Huang et al. 2019, Eqs. 22-25, and
-//! Ritter's front.
+//! A column of water just after its gate is removed: Huang et al. 2019, Eqs. 22-25; and Ritter's
+//! front.
 
 use std::f64::consts::PI;
 
@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 /// α_n = 2 ρ0 g (-1)ⁿ / [L λ_n (c0² λ_n cosh λ_nH - g sinh λ_nH)]
 ///
 /// (Eqs. 23-25, with sin(λ_n L) = (-1)ⁿ where the source prints sin(λ_n x)). The hyperbolic
-/// functions are taken together as decaying exponentials: cosh alone overflows near n = 450.
+/// functions are combined as decaying exponentials, because cosh alone overflows near n = 450.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ReleasedColumn {
     /// L, metres.
@@ -26,7 +26,7 @@ pub struct ReleasedColumn {
     pub sound_speed: f64,
 }
 
-/// Terms below this share of the first no longer count.
+/// Terms below this share of the first are left out.
 const NEGLIGIBLE: f64 = 1e-17;
 
 impl ReleasedColumn {
@@ -45,11 +45,11 @@ impl ReleasedColumn {
         sign * 2.0 * c2 * self.density * self.gravity * rise / (self.length * k * below)
     }
 
-    /// The amplitudes that count at a height above the bed.
+    /// The amplitudes that matter at a height above the bed.
     fn amplitudes(&self, y: f64) -> Vec<f64> {
         let first = self.amplitude(0, y).abs();
         let mut all = Vec::new();
-        // On the bed the series converges like 1/n² and no faster.
+        // On the bed the series only converges like 1/n².
         while all.len() < 100_000 {
             let next = self.amplitude(all.len(), y);
             if next.abs() <= NEGLIGIBLE * first {
@@ -90,8 +90,8 @@ fn sum(amplitudes: &[f64], angle: f64) -> f64 {
     half * (b1 - b2)
 }
 
-/// Ritter's front of a wide column on a dry, frictionless bed: x = L + 2 √(gH) t, metres. Shallow
-/// water without inertia upwards: an upper bound of what a real front does.
+/// Ritter's front of a wide column on a dry, frictionless bed: x = L + 2 √(gH) t, metres. It is
+/// shallow water without vertical inertia: an upper bound of a real front.
 pub fn ritter_front(length: f64, height: f64, gravity: f64, time: f64) -> f64 {
     length + 2.0 * (gravity * height).sqrt() * time
 }
@@ -135,7 +135,7 @@ mod tests {
         assert!(slope.abs() < 1e-6 * bottom);
     }
 
-    /// The series of the slope rings near x = L and at y = 0 itself.
+    /// The series of the slope oscillates near x = L, and at y = 0 itself.
     #[test]
     fn the_bed_carries_the_water_above_it() {
         let step = 1e-4;

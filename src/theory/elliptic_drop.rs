@@ -1,4 +1,4 @@
-//! A drop in a central field that swings between two ellipses: exact (Monaghan & Rafiee 2013;
+//! A drop in a central field that oscillates between two ellipses: exact (Monaghan & Rafiee 2013;
 //! Colagrossi et al. 2013).
 
 use serde::{Deserialize, Serialize};
@@ -75,7 +75,7 @@ impl EllipticDrop {
         self
     }
 
-    /// Time from circle to circle and back, both stretches done, seconds: A passes through zero at
+    /// Time from circle to circle and back, with both stretches, seconds. A passes through zero at
     /// the longest ellipse, half-way to the circle that stretches the other way.
     pub fn period(&self) -> f64 {
         let mut start = EllipticDrop::circle(
@@ -119,7 +119,7 @@ mod tests {
         assert!((half.stretching_rate + 0.8).abs() < 1e-4);
     }
 
-    /// Small swings: da/dt = A a and dA/dt = -2 Ω² (a - R)/R, so ω = √2 Ω.
+    /// Small oscillations: da/dt = A a and dA/dt = -2 Ω² (a - R)/R, so ω = √2 Ω.
     #[test]
     fn small_swings_have_the_linear_period() {
         let period = EllipticDrop::circle(1.0, 3.0, 1e-3).period();

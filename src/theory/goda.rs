@@ -7,16 +7,17 @@
 /// η* = 1.5 H          p1 = α1 ρgH          p3 = α3 p1
 /// α1 = 0.6 + ½ (2kh / sinh 2kh)²           α3 = 1 / cosh kh
 /// ```
-/// These are pressures above those of still water. At the still level it is p1. From there it falls in a
-/// straight line to p3 at the bed, and in another to 0 at the height η*. Without a mound α2 is 0. Where the
-/// wall ends below η*, what would press above its crest is left out.
+/// These pressures are in addition to those of still water. At the still level it is p1. From there
+/// it falls linearly to p3 at the bed, and linearly to 0 at the height η*. Without a mound α2 is 0.
+/// If the wall ends below η*, the pressure above its crest is left out.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Goda {
     /// H/h.
     pub ratio: f64,
-    /// kh = 2πh/L; 0 for the limit of long waves, as which a solitary wave is taken: α1 = 1.1 and α3 = 1.
+    /// kh = 2πh/L. It is 0 in the limit of long waves, which is used for a solitary wave: α1 = 1.1
+    /// and α3 = 1.
     pub depth_in_waves: f64,
-    /// Height of the wall's crest over still water, over h; infinite where no water goes over it.
+    /// Height of the wall's crest over still water, over h; infinite if no water goes over it.
     pub freeboard: f64,
 }
 
@@ -28,8 +29,9 @@ impl Goda {
         [0.6 + 0.5 * steep * steep, 1.0 / libm::cosh(kh)]
     }
 
-    /// The whole force over ρgh²/2, that of still water included: 1 + α1 H/h [(1 + α3) + 1.5 H/h] on an
-    /// endless wall; with a crest at h_c the last 1.5 H/h is 2 h_c/h (1 - h_c/2η*).
+    /// The whole force over ρgh²/2, that of still water included. On an endless wall it is 1 + α1
+    /// H/h [(1 + α3) + 1.5 H/h]. With a crest at h_c the last term 1.5 H/h becomes 2 h_c/h (1 -
+    /// h_c/2η*).
     pub fn force(self) -> f64 {
         let [surface, bed] = self.factors();
         let top = 1.5 * self.ratio;

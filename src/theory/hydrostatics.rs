@@ -2,10 +2,10 @@
 
 /// A still column of depth h with p = c0² (ρ - ρ_s).
 ///
-/// ρ(y) = ρ_s e^{g (h - y)/c0²} balances gravity exactly. ρ_s = ρ0 x²/(2 (eˣ - 1 - x)), x = g h/c0²,
-/// is the surface density for which the column of height h presses on its wall with exactly
-/// ρ0 g h²/2. It then weighs x/6 more than ρ0 g h. Were it the weight that is exact, the force would
-/// be x/6 too small: 0.26 % at c0 = 8 √(g h).
+/// ρ(y) = ρ_s e^{g (h - y)/c0²} balances gravity exactly. With the surface density ρ_s = ρ0 x²/(2
+/// (eˣ - 1 - x)), x = g h/c0², the force of the column on its wall is exactly ρ0 g h²/2. The column
+/// then weighs x/6 more than ρ0 g h. With the exact weight, the force would be x/6 too small: 0.26
+/// % at c0 = 8 √(g h).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StillColumn {
     /// ρ_s, kg/m³.
@@ -33,7 +33,7 @@ impl StillColumn {
 /// 2 (eˣ - 1 - x)/x²: the force of a column with ρ_s = ρ0 over ρ0 g h²/2.
 fn force_excess(x: f64) -> f64 {
     if x < 1e-4 {
-        // The difference would cancel.
+        // The difference would lose its digits.
         return 1.0 + x / 3.0 + x * x / 12.0;
     }
     2.0 * (libm::expm1(x) - x) / (x * x)

@@ -26,7 +26,7 @@ impl Oscillator {
         let omega2 = self.stiffness / self.mass;
         let phase = omega2.sqrt() * time;
         let acceleration = (self.force - self.stiffness * from.position) / self.mass;
-        // sin φ/φ and (1 - cos φ)/φ², which stay exact for a soft spring and for none.
+        // sin φ/φ and (1 - cos φ)/φ², which stay exact for a soft spring and without a spring.
         let (sinc, versine) = if phase < 1e-4 {
             let p2 = phase * phase;
             (1.0 - p2 / 6.0, 0.5 - p2 / 24.0)
@@ -42,8 +42,8 @@ impl Oscillator {
         }
     }
 
-    /// The first instant within (0, `within`] at which a mass is below the position 0. It is at `place`,
-    /// which begins at 0 or above and moves no faster to and fro than this one.
+    /// The first instant within (0, `within`] at which a mass is below the position 0. `place`
+    /// gives its position. It starts at 0 or above, and oscillates no faster than this oscillator.
     pub fn first_return(&self, place: impl Fn(f64) -> f64, within: f64) -> Option<f64> {
         let below = |t: f64| place(t) < 0.0;
         let omega = (self.stiffness / self.mass).sqrt();

@@ -1,5 +1,5 @@
 //! A square of water that starts to rotate as a whole, without walls or gravity (Colagrossi 2005;
-//! Le Touzé et al. 2013): pressures are negative inside, and its corners grow into arms.
+//! Le Touzé et al. 2013). Pressures are negative inside, and its corners grow into arms.
 
 use std::f64::consts::PI;
 
@@ -38,8 +38,8 @@ impl RotatingPatch {
         self.rate * self.rate * sum
     }
 
-    /// Distance of a corner from the centre after `time`, metres, if no pressure held it back: at
-    /// the start its gradient vanishes there, and it holds the arms back ever after.
+    /// Distance of a corner from the centre after `time`, metres, without pressure. At the start
+    /// the pressure gradient vanishes at the corner. Later it holds the arms back.
     pub fn ballistic_arm(&self, time: f64) -> f64 {
         let turned = self.rate * time;
         0.5_f64.sqrt() * self.side * (1.0 + turned * turned).sqrt()

@@ -12,9 +12,9 @@ pub struct SolitaryWave {
 }
 
 impl SolitaryWave {
-    /// The surface over still water, over h: η/h = H/h sech²(κ (x - S/2 - c t)) with κ = √(3H/4h³),
-    /// c = √(g (h + H)) and the stroke S = √(16 H h/3), `time` (s) counting from the middle of the stroke and
-    /// `x` (m) from the paddle at rest (Goring 1978; Liang et al. 2017, Fig. 2).
+    /// The surface over still water, over h: η/h = H/h sech²(κ (x - S/2 - c t)). κ = √(3H/4h³), c =
+    /// √(g (h + H)), and the stroke is S = √(16 H h/3). `time` (s) is counted from the middle of
+    /// the stroke, `x` (m) from the paddle at rest (Goring 1978; Liang et al. 2017, Fig. 2).
     pub fn surface(self, x: f64, time: f64) -> f64 {
         let SolitaryWave { ratio, depth, gravity } = self;
         let wavenumber = (0.75 * ratio).sqrt() / depth;

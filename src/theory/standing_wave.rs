@@ -4,16 +4,17 @@ use std::f64::consts::{PI, TAU};
 
 /// Steps in a period of a viscous wave.
 const STEPS: f64 = 1000.0;
-/// So many times thinner than the layer in which the surface turns the water are its finest modes.
+/// The finest modes are this many times thinner than the layer of vorticity below the surface.
 const FINE: f64 = 8.0;
-/// Fewest and most modes of the water's turning over the depth.
+/// Smallest and largest number of vorticity modes over the depth.
 const MODES: [f64; 2] = [24.0, 1000.0];
 
-/// A standing wave on water of even depth between walls half a wavelength, or a multiple, apart.
+/// A standing wave on water of uniform depth. The walls are half a wavelength, or a multiple of it,
+/// apart.
 ///
-/// The potential flow is u = Û cos(ωt) sin(kx) cosh(ky)/sinh(kh) and
-/// v = -Û cos(ωt) cos(kx) sinh(ky)/sinh(kh), y from the bed: the surface starts flat and its
-/// vertical speed has the amplitude Û.
+/// The potential flow is u = Û cos(ωt) sin(kx) cosh(ky)/sinh(kh) and v = -Û cos(ωt) cos(kx)
+/// sinh(ky)/sinh(kh), with y from the bed. The surface starts flat. Its vertical speed has the
+/// amplitude Û.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StandingWave {
     /// h, metres.
@@ -31,22 +32,25 @@ impl StandingWave {
         (self.gravity * k * libm::tanh(k * h)).sqrt()
     }
 
-    /// The amplitude falls as exp(-2νk²t) at first, 1/s: what irrotational motion dissipates between walls
-    /// that let the water slip, at any depth (Lamb, § 348).
+    /// Initial decay rate 2νk² of the amplitude, which falls as exp(-2νk²t), 1/s. It is the
+    /// dissipation of irrotational motion between free-slip walls, at any depth (Lamb, § 348).
     pub fn damping(&self, kinematic_viscosity: f64) -> f64 {
         2.0 * kinematic_viscosity * self.wavenumber * self.wavenumber
     }
 
-    /// How much of its flow a wave of this viscosity has left, and when, from the start up to a time, s.
+    /// The share of its flow that a wave of this viscosity still has, with its time, from the start
+    /// up to a time, s.
     ///
-    /// No stress acts along the surface, so the water there turns, by -2kA if A is the vertical speed. This
-    /// diffuses downwards as ∂Z/∂t = ν(Z'' - k²Z), from none at the start to none at a bed that slips. With
-    /// the pressure and the normal stress at the surface η this gives what follows (Prosperetti 1976 in deep water).
+    /// No stress acts along the surface, so the water there has the vorticity -2kA, if A is the
+    /// vertical speed. The vorticity diffuses downwards as ∂Z/∂t = ν(Z'' - k²Z). It is zero at the
+    /// start, and zero at a free-slip bed. With the pressure and the normal stress at the surface η
+    /// this gives (Prosperetti 1976 in deep water):
     ///
     /// A' = -ω²η - 4νk²A - 2νk tanh(kh) ∫ k Z sinh(ky)/sinh(kh) dy
     ///
-    /// So it falls less than by exp(-2νk²t), by √(νk²/2ω) of that in the end, and swings slower. Z is
-    /// -2kA sinh(ky)/sinh(kh) and sines that vanish at bed and surface, of which each decays by itself.
+    /// So the wave decays less than exp(-2νk²t), in the end by √(νk²/2ω) of that, and oscillates
+    /// more slowly. Z is -2kA sinh(ky)/sinh(kh) plus sines that vanish at bed and surface. Each
+    /// sine decays by itself.
     pub fn swing(&self, viscosity: f64, until: f64) -> Vec<(f64, f64)> {
         let (k, h, frequency) = (self.wavenumber, self.depth, self.frequency());
         let (slope, step) = (libm::tanh(k * h), TAU / (STEPS * frequency));
@@ -61,7 +65,7 @@ impl StandingWave {
         let finer =
             squares - turns.iter().map(|turn| turn.share * turn.share).sum::<f64>() * 0.5 * h;
         let damping = 2.0 * self.damping(viscosity) - turning * 2.0 * k * k * finer;
-        // What the modes take from A' for what A is at the end of a step.
+        // The effect of the modes on A' through A at the end of a step.
         let own = turning * turns.iter().map(|turn| turn.weight * turn.later).sum::<f64>();
         let (mut surface, mut speed, half) = (0.0, 1.0, 0.5 * step);
         let mut all = vec![(0.0, speed)];
@@ -93,25 +97,26 @@ impl StandingWave {
     }
 }
 
-/// How the water turns below the surface of a viscous wave: one sine of it over the depth.
+/// The vorticity below the surface of a viscous wave: one sine of it over the depth.
 ///
-/// What a surface asks of it at once is left out. B' = -λ (B + 2k s A): s is the sine's share in
-/// sinh(ky)/sinh(kh), λ its decay.
+/// The part that follows the surface at once is left out. B' = -λ (B + 2k s A), where s is the
+/// sine's share in sinh(ky)/sinh(kh), and λ its decay rate.
 struct Turn {
     /// s.
     share: f64,
     /// B.
     size: f64,
-    /// What B counts in ∫ k Z sinh(ky)/sinh(kh) dy.
+    /// Weight of B in ∫ k Z sinh(ky)/sinh(kh) dy.
     weight: f64,
-    /// What is left of B after a step, and what it gains by A before and after it, which goes on a line.
+    /// The share of B that is left after a step, and its gain from A before and after it; A is
+    /// linear in between.
     left: f64,
     sooner: f64,
     later: f64,
 }
 
 impl Turn {
-    /// Of a sine of this wavenumber, 1/m, for steps of this ν Δt, m².
+    /// For a sine of this wavenumber, 1/m, and steps of this ν Δt, m².
     fn new(wave: &StandingWave, wavenumber: f64, step: f64) -> Turn {
         let (k, h, q) = (wave.wavenumber, wave.depth, wavenumber);
         let share = -2.0 / h * libm::cos(q * h) * q / (k * k + q * q);
@@ -155,7 +160,7 @@ mod tests {
         assert!((celerity - (9.81_f64 * 0.3).sqrt()).abs() < 1e-6);
     }
 
-    /// Rate of decay over 2νk² and period over that without viscosity, of late swings.
+    /// Decay rate over 2νk², and period over that without viscosity, of late oscillations.
     fn late(wave: &StandingWave, share: f64) -> [f64; 2] {
         let frequency = wave.frequency();
         let viscosity = share * frequency / wave.wavenumber.powi(2);
@@ -176,8 +181,9 @@ mod tests {
         [rate, (zeros[11] - zeros[5]) / 3.0 * frequency / TAU]
     }
 
-    /// Deep water: (s + 2νk²)² + ω² = 4ν²k³ √(k² + s/ν) (Lamb, § 349), solved with complex numbers beforehand.
-    /// Each line has νk²/ω, the rate over 2νk², and the period over that without viscosity.
+    /// Deep water: (s + 2νk²)² + ω² = 4ν²k³ √(k² + s/ν) (Lamb, § 349), solved before with complex
+    /// numbers. Each line has νk²/ω, the rate over 2νk², and the period over that without
+    /// viscosity.
     #[test]
     fn viscous_waves_in_deep_water_decay_by_lambs_roots() {
         let deep = StandingWave { depth: 1.5, ..WAVE };
@@ -197,13 +203,14 @@ mod tests {
     fn a_viscous_wave_begins_to_decay_as_without_a_layer_at_its_surface() {
         let viscosity = 1e-4;
         let frequency = WAVE.frequency();
-        // cos(ωt) exp(-2νk²t) for a small part of a period, but for what sets in as t to the power of 3/2.
+        // cos(ωt) exp(-2νk²t) for a small part of a period, except for an effect that grows as
+        // t^(3/2).
         let series = WAVE.swing(viscosity, 0.01 * TAU / frequency);
         let (time, left) = *series.last().unwrap();
         let lost = 1.0 - left - (1.0 - libm::cos(frequency * time));
         let share = lost / (2.0 * WAVE.damping(viscosity) * time);
         assert!((share - 1.0).abs() < 0.08, "{share}");
-        // Without viscosity it stays.
+        // Without viscosity it does not decay.
         let (time, left) = *WAVE.swing(0.0, TAU / frequency).last().unwrap();
         assert!((left - libm::cos(frequency * time)).abs() < 1e-4, "{left}");
     }

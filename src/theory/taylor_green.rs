@@ -1,7 +1,7 @@
 //! Taylor-Green vortices in a box: an exact solution of the Navier-Stokes equations.
 
-/// Counter-rotating vortices, a cell of π/k each way: with walls that let the water slip, on cell
-/// boundaries, they are periodic no longer and yet the same.
+/// Counter-rotating vortices in cells of π/k each way. The usual flow is periodic. Free-slip walls
+/// on cell boundaries do not change it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TaylorGreen {
     /// k, 1/m.
@@ -17,13 +17,13 @@ impl TaylorGreen {
         [self.speed * libm::sin(kx) * libm::cos(ky), -self.speed * libm::cos(kx) * libm::sin(ky)]
     }
 
-    /// p/ρ = U²/4 (cos 2kx + cos 2ky) at the start, m²/s², but for a constant.
+    /// p/ρ = U²/4 (cos 2kx + cos 2ky) at the start, m²/s², up to a constant.
     pub fn pressure_over_density(&self, [x, y]: [f64; 2]) -> f64 {
         let twice = 2.0 * self.wavenumber;
         0.25 * self.speed * self.speed * (libm::cos(twice * x) + libm::cos(twice * y))
     }
 
-    /// Velocities fall as exp(-2νk²t), 1/s: Taylor & Green 1937.
+    /// Decay rate: velocities fall as exp(-2νk²t), 1/s (Taylor & Green 1937).
     pub fn damping(&self, kinematic_viscosity: f64) -> f64 {
         2.0 * kinematic_viscosity * self.wavenumber * self.wavenumber
     }
@@ -33,7 +33,7 @@ impl TaylorGreen {
 mod tests {
     use super::*;
 
-    /// (u·∇)u = -∇p/ρ: viscosity alone slows the flow.
+    /// (u·∇)u = -∇p/ρ: only viscosity slows the flow.
     #[test]
     fn pressure_balances_the_inertia() {
         let flow = TaylorGreen { wavenumber: 6.0, speed: 1.3 };

@@ -1,23 +1,24 @@
-//! The potential of still water in front of an upright wall that begins to move.
+//! The potential of still water before an upright wall that starts to move.
 //!
-//! Water of depth d stands left of a wall over a flat bed. The wall begins to move to the right with
-//! unit velocity. The potential φ of the flow solves ∇²φ = 0 with ∂φ/∂x = 1 on the wall, ∂φ/∂y = 0 on
-//! the bed and φ = 0 at the surface. With λ_n = (n + ½) π/d and ξ the distance from the wall,
+//! Water of depth d is on the left of a wall over a flat bed. The wall starts to move to the right
+//! with unit velocity. The potential φ of the flow solves ∇²φ = 0 with ∂φ/∂x = 1 on the wall, ∂φ/∂y
+//! = 0 on the bed and φ = 0 at the surface. With λ_n = (n + ½) π/d and the distance ξ from the
+//! wall:
 //! ```text
 //! φ = Σ 2 (-1)ⁿ/(d λ_n²) cos(λ_n y) exp(-λ_n ξ)
 //! ```
-//! φ/d depends on ξ/d and y/d alone, so it is tabulated once.
+//! φ/d depends only on ξ/d and y/d, so it is tabulated once.
 
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-/// Mass of the water that the wall carries along, over ρ d²: the mean of φ over the wall.
+/// Mass of the water that the wall carries with it, over ρ d²: the mean of φ over the wall.
 pub const CARRIED: f64 = 0.543;
-/// Modes in the sum: what is left out of φ/d is below 2e-4 at the wall.
+/// Number of modes in the sum. The rest of φ/d is below 2e-4 at the wall.
 const MODES: u32 = 48;
 /// Cells of the table over the depth.
 const CELLS: usize = 64;
-/// The table ends here, over d: φ is less than 1 % of what it is at the wall.
+/// End of the table, over d. There φ is less than 1 % of its value at the wall.
 const REACH: usize = 3;
 
 static TABLE: LazyLock<Vec<f64>> = LazyLock::new(|| {
@@ -41,14 +42,14 @@ fn wave_number(n: u32) -> f64 {
     (f64::from(n) + 0.5) * PI
 }
 
-/// How φ/d of a mode goes with the height.
+/// φ/d of a mode as a function of the height.
 fn upwards(n: u32, eta: f64) -> f64 {
     let wave_number = wave_number(n);
     let sign = if n.is_multiple_of(2) { 2.0 } else { -2.0 };
     sign / (wave_number * wave_number) * libm::cos(wave_number * eta)
 }
 
-/// How it goes with the distance from the wall.
+/// The same as a function of the distance from the wall.
 fn outwards(n: u32, xi: f64) -> f64 {
     libm::exp(-wave_number(n) * xi)
 }
@@ -107,7 +108,7 @@ mod tests {
 
     #[test]
     fn at_the_wall_it_rises_with_unit_slope() {
-        // In the mean over stretches of the depth: the sum of slopes converges like a step's.
+        // In the mean over stretches of the depth: the sum of slopes converges like that of a step.
         for stretch in 0..4 {
             let from = 25 * stretch;
             let slopes = hundredths(from, from + 25)

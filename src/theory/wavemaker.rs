@@ -1,28 +1,29 @@
-//! What a piston makes of regular waves, to second order and at any depth (Schäffer 1996, Second-order
+//! Regular waves of a piston, to second order and at any depth (Schäffer 1996, Second-order
 //! wavemaker theory for irregular waves, *Ocean Eng.* 23, 47-88; here with one frequency).
 //!
-//! The piston moves as ξ = Re(a exp(-iωt)). To first order the water answers with a wave, and with modes that
-//! fade away from the piston. The potential is their sum.
+//! The piston moves as ξ = Re(a exp(-iωt)). To first order this gives a progressive wave, and
+//! evanescent modes that decay away from the piston. The potential is their sum:
 //! ```text
 //! φ = Re(Σ c_j f(k_j, z) exp(i k_j x - iωt)),   f(k, z) = cosh k(z + h)/cosh kh,   ω² = g k_j tanh k_j h
 //! ```
-//! k_0 is real, the others are imaginary. Products of two modes drive φ at 2ω through the surface: that is
-//! what is bound to them. The piston does not fit to it, neither do its own way and the slope of φ there.
-//! What is missing at its face leaves as modes of 2ω = √(g K tanh Kh): a free wave, which is slower and spoils the
-//! shape of the others. A second stroke of 2ω cancels it.
+//! k_0 is real, the others are imaginary. Through the surface, products of two modes drive a bound
+//! potential at 2ω. The piston does not fit this potential, nor does its displacement fit the slope
+//! of φ. The difference at its face leaves as modes of 2ω = √(g K tanh Kh). One is a free wave,
+//! which is slower and spoils the shape of the others. A second stroke at 2ω cancels it.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use num_complex::Complex64 as Complex;
 
-/// Modes that fade. What is left out falls as their inverse, so a sum over half of them tells the rest.
+/// Number of evanescent modes. The error falls as the inverse of this number, so a sum over half of
+/// them gives the rest.
 const MODES: u32 = 40;
 
-/// Amplitudes at twice the frequency, metres. Phases count from where the first stroke S/2 sin ωt passes its
-/// middle: [of cos 2ωt, of sin 2ωt].
+/// Amplitudes at twice the frequency, metres, [of cos 2ωt, of sin 2ωt]. At t = 0 the first stroke,
+/// S/2 sin ωt, passes its middle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SecondOrder {
-    /// The stroke that leaves no free wave.
+    /// The stroke for which there is no free wave.
     pub stroke: [f64; 2],
     /// The surface at the piston's face with that stroke.
     pub surface: [f64; 2],
@@ -42,19 +43,20 @@ pub struct Piston {
 }
 
 impl Piston {
-    /// Its second order, all modes counted.
+    /// Its second order, with all modes.
     pub fn second_order(&self) -> SecondOrder {
         let [half, whole] = [MODES / 2, MODES].map(|modes| Answer::of(self, modes));
         let rest = |of: fn(&Answer) -> Complex| {
             let sum = 2.0 * of(&whole) - of(&half);
-            // a is real with a clock that begins where ωt = π/2: cos 2ωt and sin 2ωt change their sign.
+            // a is real for a clock that starts at ωt = π/2, so cos 2ωt and sin 2ωt change their
+            // sign.
             [-sum.re, -sum.im]
         };
         SecondOrder { stroke: rest(|answer| answer.stroke), surface: rest(|answer| answer.surface) }
     }
 }
 
-/// k h of the wave that travels, ω² h/g = kh tanh kh, by Newton's method.
+/// k h of the progressive wave, ω² h/g = kh tanh kh, by Newton's method.
 pub fn travelling(deep: f64) -> f64 {
     let mut kh = deep.max(deep.sqrt());
     for _ in 0..50 {
@@ -68,17 +70,19 @@ pub fn travelling(deep: f64) -> f64 {
     kh
 }
 
-/// What the wave that travels takes of a piston's motion: force over speed, over ρ h √(g h), at ω² h/g = `deep`.
+/// Damping of a piston's motion by the progressive wave: force over speed, over ρ h √(g h), at ω²
+/// h/g = `deep`.
 ///
-/// Its power is that of a wave of 2a tanh kh/(1 + q), a the piston's amplitude and q = 2kh/sinh 2kh (Biésel 1951;
-/// Dean & Dalrymple 1991, Water Wave Mechanics, ch. 6). It is one for slow pistons and falls to zero for fast ones.
+/// Its power is that of a wave with the amplitude 2a tanh kh/(1 + q). Here a is the piston's
+/// amplitude and q = 2kh/sinh 2kh (Biésel 1951; Dean & Dalrymple 1991, Water Wave Mechanics, ch.
+/// 6). It is one for slow pistons and falls to zero for fast ones.
 pub fn damping(deep: f64) -> f64 {
     let kh = travelling(deep);
     let ratio = libm::tanh(kh) / kh;
     2.0 * ratio * ratio.sqrt() / (1.0 + 2.0 * kh / libm::sinh(2.0 * kh))
 }
 
-/// κ h of a mode that fades, from 1 on: ω² h/g = -κh tan κh.
+/// κ h of an evanescent mode, counted from 1: ω² h/g = -κh tan κh.
 pub fn fading(deep: f64, number: u32) -> f64 {
     // The root lies between (n - ½)π and nπ, where κ tan κ rises from -∞ to 0.
     let end = f64::from(number) * PI;
@@ -90,7 +94,7 @@ pub fn fading(deep: f64, number: u32) -> f64 {
     low
 }
 
-/// k of the wave that travels and i κ of so many modes that fade, 1/m.
+/// k of the progressive wave, and i κ of this many evanescent modes, 1/m.
 fn modes(frequency: f64, depth: f64, gravity: f64, count: u32) -> Vec<Complex> {
     let deep = frequency * frequency * depth / gravity;
     let wave = Complex::new(travelling(deep) / depth, 0.0);
@@ -108,7 +112,7 @@ fn steepness(s: Complex, depth: f64) -> Complex {
     s * Complex::new(sinh, small * sin) / (cosh + small * cos)
 }
 
-/// The series up to some mode, for a clock with which a is real.
+/// The series up to some mode, for a clock for which a is real.
 struct Answer {
     /// The second stroke, metres.
     stroke: Complex,
@@ -125,7 +129,8 @@ impl Answer {
         // ∂φ/∂x = dξ/dt at the face.
         let amplitude = |&k: &Complex| -w * a * mean(k, h) / (k * square(k, h));
         let c: Vec<Complex> = first.iter().map(amplitude).collect();
-        // What the face lacks of each mode of 2ω: -ξ ∂²φ/∂x², less the slope of what is bound.
+        // The difference at the face for each mode of 2ω: -ξ ∂²φ/∂x², less the slope of the bound
+        // potential.
         let mut lacks = vec![Complex::ZERO; own.len()];
         let mut bound = Complex::ZERO;
         for (&k, &c_k) in first.iter().zip(&c) {
@@ -196,7 +201,8 @@ mod tests {
         assert!(short > 4.0, "at kh = 1 Madsen's second stroke is far too small: {short}");
     }
 
-    /// Power is that of the wave: ½ b (a ω)² = ½ ρ g A² c_g with the first mode's A, and 2 (g/ω²h)^1.5 in deep water.
+    /// The power is that of the wave: ½ b (a ω)² = ½ ρ g A² c_g with the first mode's A. In deep
+    /// water the damping is 2 (g/ω²h)^1.5.
     #[test]
     fn damping_is_the_power_of_the_wave() {
         assert!((damping(1e-6) - 1.0).abs() < 1e-6);
@@ -215,7 +221,7 @@ mod tests {
         }
     }
 
-    /// Both series are summed to their end by what halving them leaves out.
+    /// Both series are extrapolated to their end by the difference from half of their modes.
     #[test]
     fn more_modes_change_nothing() {
         let (piston, _) = piston(0.03, 0.2, 1.0);
