@@ -15,9 +15,9 @@ pub struct GridAxis {
     pub key: String,
     /// Its values: strings, numbers, booleans, or the points of beds.
     pub values: Vec<Value>,
-    /// How they are spread: as a range says, or else by the values of a list.
+    /// Their scale: that of a range, or else from the values of a list.
     pub scale: Scale,
-    /// Whether it takes whole numbers alone.
+    /// Whether it only takes whole numbers.
     pub whole: bool,
 }
 
@@ -25,7 +25,7 @@ const SHAPE: &str =
     "must be a list, or { from = 1, to = 100, points = 3, spacing = \"log\" or \"linear\" }";
 
 impl GridAxis {
-    /// Its first value as the command line takes it: `KEY=VALUE`.
+    /// Its first value in the form of the command line: `KEY=VALUE`.
     pub fn first(&self) -> String {
         let word = |value: &Value| match value {
             Value::String(word) => word.clone(),
@@ -34,12 +34,13 @@ impl GridAxis {
         format!("{}={}", self.key, self.values.first().map(word).unwrap_or_default())
     }
 
-    /// Its values, where they are numbers.
+    /// Its values, if they are numbers.
     pub(super) fn numbers(&self) -> Option<Vec<f64>> {
         self.values.iter().map(number).collect()
     }
 
-    /// Where a value stands in the order of the axis: its number, or between those of its neighbours.
+    /// The place of a value in the order of the axis: its index, or between those of its
+    /// neighbours.
     pub(super) fn position(&self, value: &Value) -> f64 {
         let exact = self.values.iter().position(|one| one == value);
         if let Some(place) = exact {
@@ -53,8 +54,8 @@ impl GridAxis {
         first as f64 + (place(value) - low) / (high - low)
     }
 
-    /// What stands halfway between two of its numbers, the nearest whole one where it takes no others; `None`
-    /// where nothing is left between them.
+    /// The value halfway between two of its numbers, rounded if it only takes whole numbers. `None`
+    /// if nothing is left between them.
     pub fn middle(&self, [low, high]: [f64; 2]) -> Option<Value> {
         let [from, to] = [low, high].map(|number| self.scale.place(number));
         let exact = self.scale.value(0.5 * (from + to));
@@ -62,7 +63,7 @@ impl GridAxis {
         (middle != low && middle != high).then(|| as_value(middle, self.whole))
     }
 
-    /// Reads the value of a key in `[grid]`; `whole` where it takes whole numbers alone.
+    /// Reads the value of a key in `[grid]`; `whole` is whether it only takes whole numbers.
     ///
     /// # Errors
     /// An empty list, a value that is neither a scalar nor a list of points, one that is not finite, a
@@ -112,13 +113,13 @@ fn scale(written: &Value, values: &[Value]) -> Scale {
     }
 }
 
-/// A number; one without a fraction as a whole one, where a key takes no others.
+/// A number. One without a fraction becomes a whole number if `whole`.
 fn as_value(number: f64, whole: bool) -> Value {
     let is_whole = whole && number.fract() == 0.0 && number.abs() < 1e15;
     if is_whole { Value::Integer(number as i64) } else { Value::Float(number) }
 }
 
-/// Equal for values that are equal as settings: `1` and `1.0` are the same, and 0 and -0.
+/// A text that is equal for equal settings: `1` and `1.0` are the same, and 0 and -0.
 fn meaning(value: &Value) -> String {
     number(value).map_or_else(|| value.to_string(), |number| format!("{:?}", number + 0.0))
 }
@@ -128,7 +129,7 @@ pub(super) const RANGE_KEYS: [&str; 4] = ["from", "to", "points", "spacing"];
 /// No sweep is larger than this, and no range is longer.
 pub(super) const MOST_CASES: usize = 1_000_000;
 
-/// What a range key of another tongue is called here.
+/// The name here of a range's key that other programs use.
 fn meant(key: &str) -> Option<&'static str> {
     match key {
         "start" | "begin" | "min" | "low" => Some("from"),
@@ -192,7 +193,7 @@ fn read_range(path: &str, range: &Table) -> Result<Vec<f64>, ConfigError> {
     Ok((0..points).map(value).collect())
 }
 
-/// Rounds so that decades come out as written by hand.
+/// Rounds so that decades look as if written by hand.
 fn tidy(number: f64) -> f64 {
     crate::math::decimal::significant(number, 15)
 }

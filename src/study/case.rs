@@ -11,11 +11,12 @@ use sha2::{Digest, Sha256};
 use crate::keys::{Shared, alike};
 use crate::scene::{CaseConfig, ErrorBars, Numerics, Scene};
 
-/// Part of every case's identity: raised by every change that alters the answer of any case, so
-/// that old results are never taken for new ones.
+/// Part of every case's identity. It is raised by every change that alters the answer of any case,
+/// so that old results are never taken for new ones.
 pub const PHYSICS_VERSION: u32 = 43;
 
-/// Names a case by what decides its answer: never host, rank or time. Written as 16 hex digits.
+/// Identifies a case by everything that decides its answer: never host, rank or time. Written as 16
+/// hex digits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(into = "String", try_from = "String")]
 pub struct CaseId(u64);
@@ -34,7 +35,7 @@ impl CaseId {
         CaseId(u64::from_be_bytes(digest[..8].try_into().expect("a digest has 32 bytes")))
     }
 
-    /// The number whose digits it is.
+    /// The id as a number.
     pub fn number(self) -> u64 {
         self.0
     }
@@ -72,8 +73,8 @@ impl TryFrom<String> for CaseId {
 }
 
 thread_local! {
-    /// The numerics that came last on this thread, and the hash as far as they go. Cases of a study
-    /// share them mostly, and they are the larger half of the text.
+    /// The last numerics on this thread, and the hash up to their end. Cases of a study mostly
+    /// share them, and they are the larger half of the text.
     static LAST: RefCell<Option<(Shared<Numerics>, Sha256)>> = const { RefCell::new(None) };
 }
 
@@ -97,7 +98,7 @@ fn begun(numerics: &Shared<Numerics>) -> Sha256 {
     })
 }
 
-/// An entry of a JSON object, with a comma behind it.
+/// An entry of a JSON object, followed by a comma.
 fn write_entry(key: &str, value: &impl Serialize, text: &mut String) {
     let value = serde_json::to_value(value).expect("a configuration has a JSON form");
     write_key(key, text);
@@ -109,11 +110,11 @@ fn write_entry(key: &str, value: &impl Serialize, text: &mut String) {
 type Written = (&'static str, toml::Value, String);
 
 thread_local! {
-    /// The entries of the scene that came last on this thread: cases of a study differ in few.
+    /// The entries of the last scene on this thread: the cases of a study differ only in a few.
     static ENTRIES: RefCell<Vec<Written>> = const { RefCell::new(Vec::new()) };
 }
 
-/// The entry of a scene: its table need not be made first.
+/// The entry of a scene, written without making its table first.
 fn write_scene(scene: &Scene, text: &mut String) {
     let mut entries = scene.entries();
     entries.sort_unstable_by_key(|(key, _)| *key);
@@ -138,7 +139,8 @@ fn write_scene(scene: &Scene, text: &mut String) {
     text.push_str("},");
 }
 
-/// A key as Rust's own `{key:?}:` has it; mostly nothing in it has to be escaped, and of a million cases that counts.
+/// A key as in Rust's own `{key:?}:`. Usually nothing has to be escaped, and this saves time for a
+/// million cases.
 fn write_key(key: &str, text: &mut String) {
     if key.bytes().all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'_') {
         text.push('"');
@@ -149,7 +151,7 @@ fn write_key(key: &str, text: &mut String) {
     }
 }
 
-/// JSON with sorted keys, whatever order the map type keeps.
+/// JSON with sorted keys, for any order of the map type.
 fn write_canonical(value: &Value, text: &mut String) {
     match value {
         Value::Object(map) => {
@@ -187,8 +189,8 @@ pub struct Case {
     pub id: CaseId,
     /// What to run.
     pub config: CaseConfig,
-    /// The value of each swept key, in the order of the axes; `None` where the key means nothing
-    /// to this case (a fixed wall has no spring).
+    /// The value of each swept key, in the order of the axes. `None` if the key means nothing to
+    /// this case (a fixed wall has no spring).
     pub assignments: Assignments,
 }
 
@@ -209,7 +211,7 @@ mod tests {
         assert!("12".parse::<CaseId>().is_err());
     }
 
-    /// The id is the hash of one text: taking it in two parts must not change it.
+    /// The id is the hash of one text. Hashing it in two parts must not change it.
     #[test]
     fn an_id_is_that_of_the_whole_text() {
         let probe = "name = \"P\"\nkind = \"level\"\nx_m = 1".parse().unwrap();

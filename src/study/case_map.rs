@@ -5,10 +5,11 @@ use std::hash::{BuildHasherDefault, Hasher};
 
 use super::case::CaseId;
 
-/// A map by ids. These are hashes already: of a million cases it counts that they are not hashed again.
+/// A map by ids. Ids are hashes already, so they are not hashed again. For a million cases this
+/// saves time.
 pub type CaseMap<T> = HashMap<CaseId, T, BuildHasherDefault<Own>>;
 
-/// Takes an id for its own hash.
+/// Uses an id as its own hash.
 #[derive(Debug, Default)]
 pub struct Own(u64);
 

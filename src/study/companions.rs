@@ -1,8 +1,8 @@
-//! Resolution companions: the same cases with coarser particles, from whose differences the error
-//! bars come ([`super::error_bars`]).
+//! Resolution companions: the same cases with coarser particles. Their differences give the error
+//! bars ([`super::error_bars`]).
 //!
-//! A companion is a run like any other: planned, branched from a trunk of its own, journalled,
-//! resumed. It is no row of the summary and leaves no history.
+//! A companion is a run like any other: planned, branched from its own trunk, journalled, resumed.
+//! It has no row in the summary and leaves no history.
 
 use std::f64::consts::SQRT_2;
 
@@ -11,12 +11,12 @@ use super::case_map::CaseMap;
 use crate::keys::Recent;
 use crate::scene::{CaseConfig, ErrorBars};
 
-/// The fewest rows of particles over the depth that tell how a reading changes with the spacing: with
-/// fewer the runup of a steep wave is off by tenths of the depth, and in no order.
+/// The fewest rows of particles over the depth for which readings change regularly with the
+/// spacing. With fewer rows the runup of a steep wave has irregular errors of tenths of the depth.
 const FEWEST_ROWS: f64 = 10.0;
 
 /// Spacings of a case's companions over its own. Twice the spacing costs about an eighth, √2 times
-/// about a third.
+/// the spacing about a third.
 fn ratios(bars: ErrorBars, config: &CaseConfig) -> &'static [f64] {
     let rows = || config.scene.frame().depth / config.numerics.particle_spacing_m;
     match bars {
@@ -27,10 +27,10 @@ fn ratios(bars: ErrorBars, config: &CaseConfig) -> &'static [f64] {
     }
 }
 
-/// The companions of a study's cases, each once, and for every case the places of its own among
-/// cases and companions together. Where the grid sweeps the spacing, a case may be the companion
-/// of another. A companion too coarse for its depth is left out. So is one too coarse for the rest of its
-/// scene, such as a crest: the companion of a pair is then the nearer one.
+/// The companions of a study's cases, each once. For every case it also gives the indices of its
+/// own companions among cases and companions. If the grid sweeps the spacing, a case may be the
+/// companion of another. A companion too coarse for its depth is left out. So is one too coarse for
+/// another part of its scene, such as a crest. The companion of a pair is then the finer one.
 pub(super) fn plan(cases: &[Case], bars: &[ErrorBars]) -> (Vec<Case>, Vec<Vec<usize>>) {
     let mut places: CaseMap<usize> = cases.iter().map(|case| (case.id, case.index)).collect();
     let mut companions: Vec<Case> = Vec::new();
@@ -118,7 +118,8 @@ mod tests {
         assert_eq!(study.without_bars, 1, "the coarsest has five rows");
     }
 
-    /// The story: a crest of nine spacings left its case without error bars, as kernels of twice the spacing are wider.
+    /// A crest of nine spacings once left its case without error bars, because kernels of twice the
+    /// spacing are wider.
     #[test]
     fn where_twice_the_spacing_cannot_run_the_nearer_companion_does() {
         let crest =
@@ -132,7 +133,7 @@ mod tests {
         assert_eq!([0.006, 0.008, 0.0099].map(spacings), [vec![2.0], vec![SQRT_2], vec![SQRT_2]]);
     }
 
-    /// Five rows of particles at twice the spacing tell nothing of ten.
+    /// Five rows of particles, at twice the spacing, say nothing about ten rows.
     #[test]
     fn few_rows_have_a_nearer_companion() {
         let spacing = |own: f64| {

@@ -50,17 +50,17 @@ pub fn accuracy_keys() -> Vec<&'static Key> {
 }
 
 const KEYS: [&str; 7] = ["name", "scene", "numerics", "probe", "accuracy", "limits", "grid"];
-/// What the files of two other commands hold.
+/// Keys in the files of two other commands.
 const OF_A_MATRIX: [&str; 2] = ["case", "method"];
 
 impl SweepFile {
-    /// Whether more decides its cases than its own text: the stroke of a paddle in another file.
+    /// Whether its cases depend on another file: the stroke of a paddle.
     pub fn names_stroke(&self) -> bool {
         const KEY: &str = "recorded_stroke";
         self.scene.contains_key(KEY) || self.grid.iter().any(|axis| axis.key == KEY)
     }
 
-    /// Reads a file's text and puts the command line's values into it.
+    /// Reads a file's text and applies the command line's values.
     ///
     /// # Errors
     /// A syntax error, an unknown top-level key, a missing name, several unknown keys anywhere, a malformed axis, an
@@ -112,7 +112,7 @@ impl SweepFile {
         })
     }
 
-    /// Fails where there is nothing to sweep.
+    /// Fails if there is nothing to sweep.
     ///
     /// # Errors
     /// An absent `[grid]`.
@@ -124,7 +124,7 @@ impl SweepFile {
         Ok(())
     }
 
-    /// Fails where there is more than one scene.
+    /// Fails if there is more than one scene.
     ///
     /// # Errors
     /// A `[grid]`.
@@ -143,7 +143,7 @@ impl SweepFile {
     }
 }
 
-/// A key outside its section is told with its path.
+/// The error of a key outside its section names the path of the key.
 fn unknown_at_the_top(key: &str, file: &Table) -> ConfigError {
     match table(file, "scene").and_then(|scene| place_of(key, &scene)) {
         Ok(place) => ConfigError::misplaced(key, &format!("{}.{key}", place.name())),

@@ -14,10 +14,10 @@ use super::file::SweepFile;
 use crate::keys::{Key, Recent, Section, Shared, When};
 use crate::scene::{CaseConfig, ConfigError, Place, SeawallScene, place_of};
 
-/// So many cases are validated in one go.
+/// This many cases are validated at once.
 const BLOCK: usize = 4096;
 
-/// All cases of a file, each validated; one case where there is no grid.
+/// All cases of a file, each validated; one case without a grid.
 pub(super) fn expand(file: &SweepFile) -> Result<Vec<Case>, ConfigError> {
     let places = places(file)?;
     let count = file.grid.iter().try_fold(1_usize, |count, axis| {
@@ -50,7 +50,7 @@ pub(super) fn expand(file: &SweepFile) -> Result<Vec<Case>, ConfigError> {
             }
         }
     };
-    // Block by block: cases that do not share their numerics yet take twice the memory.
+    // Block by block: cases that do not yet share their numerics take twice the memory.
     let block = |first: usize| -> Vec<_> {
         let block = (first..count.min(first + BLOCK)).into_par_iter();
         block.map(|index| point(file, &places, &values, index)).collect()
@@ -66,7 +66,7 @@ pub(super) fn expand(file: &SweepFile) -> Result<Vec<Case>, ConfigError> {
     Ok(cases)
 }
 
-/// The section of each swept key, which does not name the key itself.
+/// The section of each swept key. The key itself does not name it.
 fn places(file: &SweepFile) -> Result<Vec<Place>, ConfigError> {
     let place = |axis: &GridAxis| {
         let place = place_of(&axis.key, &file.scene)?;
@@ -112,7 +112,7 @@ pub(super) fn tables(
     Ok((scene, numerics))
 }
 
-/// The case with these values of the swept keys, without its place among others.
+/// The case with these values of the swept keys, without its index.
 pub(super) fn case_at(
     file: &SweepFile,
     assignments: &[Option<Shared<Value>>],
@@ -120,7 +120,7 @@ pub(super) fn case_at(
     at(file, &places(file)?, assignments.to_vec(), usize::MAX).map(|(case, _)| case)
 }
 
-/// One point of the grid; true where some swept key meant nothing to it.
+/// One point of the grid; true if some swept key meant nothing to it.
 fn point(
     file: &SweepFile,
     places: &[Place],
@@ -150,12 +150,12 @@ fn at(
     Ok((Case { index, id: CaseId::of(&config), config, assignments }, collapsed))
 }
 
-/// The keys that decide which others mean anything to a seawall.
+/// The keys that decide which other keys a seawall has.
 static DECIDING: LazyLock<HashSet<&str>> = LazyLock::new(|| {
     SeawallScene::keys().into_iter().flat_map(Key::conditions).map(|when| when.key).collect()
 });
 
-/// Where a grid sweeps walls or paddles, leaves out what one of them does not have.
+/// If a grid sweeps walls or paddles, leaves out the keys that one of them does not have.
 fn drop_meaningless(
     file: &SweepFile,
     scene: &mut Table,
@@ -178,7 +178,7 @@ fn drop_meaningless(
     dropped
 }
 
-/// An error about a swept key is told by its place in `[grid]`.
+/// The error of a swept key names its place in `[grid]`.
 fn blame_axis(file: &SweepFile, places: &[Place], error: ConfigError) -> ConfigError {
     let (section, leaf) = error.key.rsplit_once('.').unwrap_or_default();
     let mut swept = file.grid.iter().zip(places);

@@ -27,7 +27,7 @@ pub(super) fn read(table: &toml::Table) -> Result<Limits, ConfigError> {
     Ok(Limits { steps: steps.map(u64::from), wall_time_s, memory_mib })
 }
 
-/// The table that says the same; empty where nothing is limited.
+/// The table with these limits; empty without limits.
 pub(super) fn table(limits: &Limits) -> toml::Table {
     let &Limits { steps, wall_time_s, memory_mib } = limits;
     let steps = steps.and_then(|steps| u32::try_from(steps).ok());

@@ -47,18 +47,19 @@ pub struct Study {
     pub keys: Vec<String>,
     /// The cases, in grid order.
     pub cases: Vec<Case>,
-    /// Their resolution companions, counted on after them.
+    /// Their resolution companions, with indices after those of the cases.
     pub companions: Vec<Case>,
-    /// For every case its companions, by [`Study::run`]'s index, the finest first.
+    /// The companions of every case, by [`Study::run`]'s index, the finest first.
     pub companions_of: Vec<Vec<usize>>,
-    /// How many cases ask for error bars and have no companion: it would be too coarse to run.
+    /// How many cases ask for error bars but have no companion, because it would be too coarse to
+    /// run.
     pub without_bars: usize,
-    /// Hash over the cases and their order, with or without error bars: two files with the same
+    /// Hash over the cases and their order, with or without error bars. Two files with the same
     /// identity are the same sweep.
     pub identity: String,
     /// The error that the file or the command line aims at, percent.
     pub max_error_percent: Option<f64>,
-    /// What no case may take more of.
+    /// Limits of every case.
     pub limits: Limits,
     /// How points are added to it.
     pub refine: Option<Refine>,
@@ -94,7 +95,7 @@ impl Study {
         Study { max_error_percent, refine, limits: file.limits, ..study }
     }
 
-    /// A study of the given cases; where `bars` has fewer entries, there are no further bars.
+    /// A study of the given cases. If `bars` has fewer entries, the other cases have no bars.
     pub(crate) fn of(
         name: String,
         keys: Vec<String>,
@@ -147,7 +148,7 @@ impl Study {
         self.cases.len() + self.companions.len()
     }
 
-    /// A case's swept keys and values, for files: `None` where a key means nothing to the case.
+    /// A case's swept keys and values, for files. `None` if a key means nothing to the case.
     pub fn values(&self, case: &Case) -> Vec<(String, serde_json::Value)> {
         let value = |value: &toml::Value| serde_json::to_value(value).unwrap_or_default();
         let pairs = self.keys.iter().zip(&case.assignments);
@@ -159,7 +160,8 @@ impl Study {
 mod tests {
     use super::*;
 
-    /// A million cases are to fit into two gigabytes with their results: what all have in common is held once.
+    /// A million cases with their results must fit into two gigabytes, so shared data are held
+    /// once.
     #[test]
     fn cases_hold_what_they_share_once() {
         let text = "name = \"a\"\n[scene]\nwall = \"movable\"\n[numerics]\nerror_bars = \"pair\"\n[grid]\n\

@@ -1,4 +1,4 @@
-//! Trunks and branches: what can be computed once and shared.
+//! Trunks and branches: work that is computed once and shared.
 
 use rayon::prelude::*;
 
@@ -33,7 +33,7 @@ pub struct PlannedCase {
     pub branch_cost: u64,
 }
 
-/// What has still to run, and what of it is shared.
+/// The work that is left, and which of it is shared.
 #[derive(Debug, Clone, Default)]
 pub struct Plan {
     /// Shared stretches.
@@ -42,11 +42,11 @@ pub struct Plan {
     pub cases: Vec<PlannedCase>,
 }
 
-/// Cases that are looked at in one go.
+/// Number of cases that are planned at once.
 const CHUNK: usize = 4096;
 
-/// A case without its trunk, and the trunk that it may share. `known` are trunks that came lately: to compare one with
-/// them is quicker than to find its id.
+/// A case without its trunk, and the trunk that it may share. `known` are recent trunks: comparing
+/// with them is faster than finding an id.
 fn planned(
     study: &Study,
     index: usize,
@@ -68,9 +68,9 @@ fn planned(
 }
 
 impl Plan {
-    /// Plans the cases and companions of a study for which `wanted` holds, with costs as
-    /// [`crate::simulation::cost`] estimates them. Trunks are made only where at least two of the
-    /// cases share one and `branching` is on.
+    /// Plans the cases and companions of a study for which `wanted` holds. Costs are those of
+    /// [`crate::simulation::cost`]. Trunks are made only with `branching`, and only if at least two
+    /// of the cases share one.
     pub fn new(
         study: &Study,
         branching: bool,

@@ -1,4 +1,4 @@
-//! A study with points beside those of its file's grid.
+//! A study with more points than its file's grid.
 
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
@@ -11,9 +11,9 @@ use crate::math::scale::Scale;
 use crate::scene::ConfigError;
 
 impl Study {
-    /// The study of a file with further points, all in the order of the grid. Points that no scene may have
-    /// and those that are there already are left out. It keeps the identity of the file's study, so that
-    /// its directory takes them all.
+    /// The study of a file with more points, all in the order of the grid. Points that no scene may
+    /// have are left out, and points that are already there. It keeps the identity of the file's
+    /// study, so that its directory takes all of them.
     ///
     /// # Errors
     /// Those of the file itself.
@@ -43,7 +43,7 @@ impl Study {
         Ok(Study { identity: study.identity.clone(), ..Study::of_file(file, cases) })
     }
 
-    /// The scale of a swept key of numbers; `None` of any other.
+    /// The scale of a swept key with numbers; `None` for other keys.
     pub fn scale(file: &SweepFile, key: usize) -> Option<Scale> {
         let axis = file.grid.get(key)?;
         axis.numbers().map(|_| axis.scale)

@@ -50,7 +50,7 @@ impl Refine {
         named(&self.quantity).expect("the file was checked")
     }
 
-    /// Refuses a grid whose axes cannot be refined.
+    /// Refuses a grid with axes that cannot be refined.
     pub(super) fn check(axes: &[GridAxis]) -> Result<(), ConfigError> {
         let numeric = || axes.iter().filter_map(|axis| Some((axis, axis.numbers()?)));
         if let Some((axis, _)) = numeric().find(|(_, values)| !is_monotone(values)) {
@@ -65,7 +65,7 @@ impl Refine {
     }
 }
 
-/// Whether a column is a number that the water decides, the same on every machine.
+/// Whether a column is a result of the water: a number that is the same on every machine.
 fn is_result(column: &Column) -> bool {
     let others = [
         &summary::ONSET_TIME,

@@ -9,8 +9,8 @@ use super::refine::refine_keys;
 use crate::keys::{self, Key, Section};
 use crate::scene::{Kind, numerics_keys, probe_keys, scene_keys};
 
-/// The schema. Every file that `seawall check` takes fits it; what depends on two values at once, and
-/// what a grid may leave out of its sections, it does not tell.
+/// The schema. Every file that `seawall check` accepts fits it. It does not cover conditions on two
+/// values at once, nor keys that a grid may leave out of its sections.
 pub fn schema() -> Value {
     let word = "^[A-Za-z0-9_-][A-Za-z0-9._-]*$";
     let mut definitions: Map<_, _> =
@@ -39,7 +39,7 @@ fn scene_name(kind: Kind) -> String {
     format!("scene.{}", kind.name())
 }
 
-/// A scene by its kind: each kind's schema, where `kind` has its name.
+/// A scene by its kind: each kind's schema, with the kind's name in `kind`.
 fn scene() -> Value {
     let of_kind = |&kind: &Kind| {
         let required: &[&str] = if kind == Kind::DEFAULT { &[] } else { &["kind"] };
@@ -83,7 +83,7 @@ fn grid() -> Value {
     })
 }
 
-/// What one value of a key may be, whatever kind of scene it is of.
+/// The schema of one value of a key, for any kind of scene.
 fn value_of(key: &Key) -> Value {
     let mut schema = key.schema();
     for of_kind in ["default", "description"] {
@@ -92,7 +92,7 @@ fn value_of(key: &Key) -> Value {
     schema
 }
 
-/// A range of values, of a key that takes numbers.
+/// A range of values, if the key takes numbers.
 fn range(of: &Value) -> Option<Value> {
     let is_number = |one: &&Value| one["type"] == "number" || one["type"] == "integer";
     let numbers: Vec<_> = of.as_array()?.iter().filter(is_number).collect();

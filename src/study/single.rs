@@ -12,14 +12,15 @@ use crate::scene::{CaseConfig, ConfigError, Place};
 const DIGITS: usize = 8;
 
 impl SweepFile {
-    /// A case of this file as the text of a scene file, which `seawall run` takes. It names what this
-    /// file names, its limits too, the values of the swept keys, and numerics that were chosen for the case.
+    /// A case of this file as the text of a scene file for `seawall run`. It has all settings of
+    /// this file with its limits, the values of the swept keys, and the numerics that were chosen
+    /// for the case.
     ///
     /// # Errors
     /// A swept key that no section knows.
     pub fn single(&self, case: &Case) -> Result<String, ConfigError> {
         let (scene, mut numerics) = grid::tables(self, &case.assignments)?;
-        // Again where something was chosen: some defaults follow the particle spacing.
+        // Repeated after a change, because some defaults follow the particle spacing.
         loop {
             let plain = CaseConfig::with_probes(&scene, &numerics, &self.probes)?.numerics.table();
             let mut chosen = case.config.numerics.table();
@@ -75,7 +76,7 @@ mod tests {
         }
     }
 
-    /// The story: `run FILE KEY=VALUE` ran a case of a file with `[limits]` without any.
+    /// `run FILE KEY=VALUE` once ran a case of a file with `[limits]` without limits.
     #[test]
     fn limits_of_a_study_hold_for_its_cases_alone_too() {
         let of = |limits: &str| {

@@ -1,8 +1,8 @@
-//! What is wrong with a file that is not TOML, in plain words.
+//! Errors in a file that is not TOML, in plain words.
 
 use crate::scene::{ConfigError, Kind, numerics_keys, scene_keys};
 
-/// The line that is no TOML, and why.
+/// The line that is not TOML, and why.
 pub(super) fn syntax_error(text: &str, error: &toml::de::Error) -> ConfigError {
     let before = error.span().and_then(|span| text.get(..span.start)).unwrap_or_default();
     let line = before.matches('\n').count() + 1;
@@ -20,7 +20,7 @@ fn key_and_value(line: &str) -> Option<(&str, &str)> {
     Some((name.trim(), value.split('#').next()?.trim()))
 }
 
-/// A comma within a number, which others put before decimals or between thousands.
+/// A comma within a number, as decimal comma or between thousands.
 fn number_with_comma(place: &str, line: &str) -> Option<ConfigError> {
     let (name, value) = key_and_value(line)?;
     let mut parts = value.split(',');
@@ -29,7 +29,7 @@ fn number_with_comma(place: &str, line: &str) -> Option<ConfigError> {
     is_one.then(|| ConfigError::new(&format!("{place}: {name}"), value, told))
 }
 
-/// A number with its unit, which TOML does not know, is told as that.
+/// A number with a unit, which TOML does not allow.
 fn number_with_more(place: &str, line: &str) -> Option<ConfigError> {
     let (name, value) = key_and_value(line)?;
     let first = value.trim_matches(['[', ']']).split(',').map(str::trim);

@@ -1,15 +1,15 @@
-//! Keys that nothing knows, told all at once: who mends one is not to be told of the next.
+//! Unknown keys, all reported at once, so that nobody has to correct them one by one.
 
 use toml::{Table, Value};
 
 use crate::quantities::name_of_symbol;
 use crate::scene::{ConfigError, Kind, Place, place_of, scene_keys, unknown_keys};
 
-/// So many are told behind the first.
+/// This many are reported after the first.
 const MOST: usize = 3;
 
-/// Refuses a file for what is wrong at its top, and for keys of its sections where there are several errors. A
-/// single one is told where its section is read.
+/// Refuses a file for errors at its top, and for keys of its sections if there are several errors.
+/// A single error is reported where its section is read.
 pub(super) fn refuse(at_the_top: Vec<ConfigError>, file: &Table) -> Result<(), ConfigError> {
     let mut sections = in_sections(file);
     let mut by_symbol = false;
@@ -34,7 +34,7 @@ pub(super) fn refuse(at_the_top: Vec<ConfigError>, file: &Table) -> Result<(), C
     Err(ConfigError { allowed, ..first })
 }
 
-/// The error of a key that is called by its symbol, as other commands take it: `k`, `H/h`.
+/// The error of a key that is named by its symbol, as other commands take it: `k`, `H/h`.
 pub(super) fn meant(key: &str, file: &Table) -> Option<ConfigError> {
     let (section, symbol) = key.rsplit_once('.').unwrap_or(("", key));
     let name = name_of_symbol(symbol)?;
@@ -46,7 +46,8 @@ pub(super) fn meant(key: &str, file: &Table) -> Option<ConfigError> {
     Some(ConfigError { allowed, ..error })
 }
 
-/// Of a key that this file's wall or paddle does not have, whose it is: ` It belongs to wall = "movable"; ...`.
+/// For a key that this file's wall or paddle does not have, names those that have it: ` It belongs
+/// to wall = "movable"; ...`.
 fn apart(name: &str, scene: &Table, file: &Table) -> Option<String> {
     let keys = scene_keys(Kind::of(scene).ok()?);
     let known = |name: &str| keys.iter().find(|key| key.name == name);
@@ -63,7 +64,7 @@ fn in_sections(file: &Table) -> Vec<ConfigError> {
     let section =
         |name: &str| file.get(name).and_then(Value::as_table).cloned().unwrap_or_default();
     let (scene, grid) = (section("scene"), section("grid"));
-    // What is known depends on the kind.
+    // The known keys depend on the kind.
     if place_of("kind", &scene).is_err() || grid.contains_key("kind") {
         return Vec::new();
     }
@@ -82,7 +83,8 @@ mod tests {
         SweepFile::read(text, &[]).unwrap_err().to_string()
     }
 
-    /// A file without a name hid the misspelt key, which was told once the name was there.
+    /// A file without a name once hid a misspelt key, which was reported only after the name was
+    /// added.
     #[test]
     fn several_errors_of_keys_are_told_together() {
         let both = told("[scene]\nwave_hight_ratio = 0.3");
@@ -100,7 +102,8 @@ mod tests {
         assert!(many.ends_with("; and 2 more"), "{many}");
     }
 
-    /// The README has k and H/h taken "where a key is asked for", and `--set H/h=0.3` was an unknown key.
+    /// The README once said that k and H/h are taken "where a key is asked for", but `--set
+    /// H/h=0.3` was an unknown key.
     #[test]
     fn a_symbol_is_told_with_its_key() {
         let asked = |key: &str, meant: &str| format!("{key}: unknown key; did you mean {meant}?");
@@ -115,7 +118,7 @@ mod tests {
         assert_eq!(told("name = \"a\"\n\"H/h\" = 1"), asked("H/h", "scene.wave_height_ratio"));
     }
 
-    /// `--set k=3` before a fixed wall named the spring's key, which was then refused.
+    /// `--set k=3` with a fixed wall once named the spring's key, which was then refused.
     #[test]
     fn a_symbol_of_another_wall_is_told_with_that_wall() {
         let asked = "scene.k: unknown key; did you mean scene.spring_stiffness_n_per_m? It belongs to \

@@ -11,11 +11,12 @@ fn a_file_is_read_in_order() {
     assert_eq!(keys, ["wave_height_ratio", "particle_spacing_m"]);
 }
 
-/// What else is told of bad files stands in `tests/bad_inputs`.
+/// More errors of bad files are in `tests/bad_inputs`.
 #[test]
 fn every_bad_file_is_told() {
     let bad = [
-        // A shipped matrix was refused for unknown keys: nothing said whose file it is.
+        // A shipped matrix was once refused only for unknown keys. The error did not say which
+        // command takes it.
         ("name = \"a\"\n[[case]]\nname = \"b\"", "case: is of a matrix: `seawall accuracy FILE`"),
         (
             "name = \"H\u{f6}he\"",
