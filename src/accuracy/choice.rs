@@ -1,14 +1,14 @@
-//! Choosing by name where names may hold commas themselves.
+//! Choosing by name, where names may contain commas.
 
 use toml::Value;
 
 use crate::scene::ConfigError;
 
-/// The names that the arguments ask for: each argument is a name as a whole, or several with commas
-/// between them, of which the longest that are names are taken.
+/// The names in the arguments. Each argument is one name, or several with commas between them. The
+/// longest possible names are taken.
 ///
 /// # Errors
-/// What is no name, with all names in quotes.
+/// A word that is no name, with all names in quotes.
 pub(super) fn names(
     key: &str,
     arguments: &[String],

@@ -1,8 +1,9 @@
-//! A matrix of cases and methods, as `seawall accuracy` and `seawall stress` run them: every case
-//! is a scene with what is known of its answer, every method a set of numerics laid over it.
+//! A matrix of cases and methods, for `seawall accuracy` and `seawall stress`. Every case is a
+//! scene with what is known of its answer. Every method is a set of numerics that is applied to it.
 //!
 //! A matrix becomes a [`Study`], so that it runs in parallel and resumes like any sweep. A pair
-//! that this build does not know (a scheme, a kernel, a kind of scene) is told, not an error.
+//! that this build does not know (a scheme, a kernel, a kind of scene) is reported, but is no
+//! error.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -40,7 +41,7 @@ pub struct MatrixCase {
     /// `[scene]`.
     #[serde(default)]
     pub scene: Table,
-    /// `[numerics]`, below the method's.
+    /// `[numerics]`; those of the method come on top.
     #[serde(default)]
     pub numerics: Table,
     /// Part of the quick form.
@@ -51,7 +52,7 @@ pub struct MatrixCase {
     /// The exact values of quantities: fields of the outcome, or readings of the scene.
     #[serde(default)]
     pub truth: BTreeMap<Quantity, f64>,
-    /// Where no exact value is known: what the finest method of all says.
+    /// If no exact value is known: a method whose result is used instead.
     pub reference: Option<Reference>,
     /// The range that a quantity must end in.
     #[serde(default)]
@@ -60,11 +61,11 @@ pub struct MatrixCase {
     pub same: Option<Same>,
 }
 
-/// The same case with a method that is taken for the truth.
+/// The same case with a method whose result is taken for the truth.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Reference {
-    /// Name of the method; its own errors are not told.
+    /// Name of the method. Its own errors are not reported.
     pub method: String,
     /// Which quantities.
     pub quantities: Vec<Quantity>,
@@ -76,13 +77,13 @@ pub struct Reference {
 pub struct Same {
     /// The other case.
     pub case: String,
-    /// How far apart, relative to the other's value.
+    /// Allowed difference, relative to the other's value.
     pub tolerance: f64,
     /// Which quantities.
     pub quantities: Vec<Quantity>,
 }
 
-/// Numerics laid over those of every case.
+/// Numerics that are applied to every case.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Method {
@@ -108,8 +109,8 @@ pub struct Trial {
     pub case: usize,
     /// Place in [`Matrix::methods`].
     pub method: usize,
-    /// Place among the study's cases, or why this build cannot run it. Two methods that come to
-    /// the same numerics share a place.
+    /// Index among the study's cases, or the reason why this build cannot run it. Two methods with
+    /// the same resulting numerics share an index.
     pub run: Result<usize, String>,
 }
 
@@ -149,9 +150,8 @@ impl Matrix {
         Ok(matrix)
     }
 
-    /// The part with these cases and these methods, each all where none is named. Every argument
-    /// is a name, or several with commas between them. A part has a name of its own, so that it
-    /// gets a directory of its own.
+    /// The part with these cases and these methods; all if none is named. Every argument is a name,
+    /// or several with commas between them. A part has its own name, and so its own directory.
     pub fn only(&self, cases: &[String], methods: &[String]) -> Result<Matrix, ConfigError> {
         let mut part = self.clone();
         let names: Vec<_> = self.cases.iter().map(|case| case.name.as_str()).collect();

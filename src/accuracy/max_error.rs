@@ -1,5 +1,5 @@
-//! A wanted error (`--max-error`): numerics chosen case by case, verified with error bars, refined
-//! where they miss.
+//! A wanted error (`--max-error`). Numerics are chosen case by case, verified with error bars, and
+//! refined if they miss.
 
 use std::collections::BTreeMap;
 
@@ -15,21 +15,21 @@ use crate::scene::CaseConfig;
 use crate::simulation::{Maximum, finer_particles_may_clear};
 use crate::study::{Case, CaseId, Study};
 
-/// Largest spacing over the depth whose choice can be verified: its companion for the error bars has
-/// twice that, and no case may have more than a quarter.
+/// Largest spacing over the depth that can be verified. Its companion for the error bars has twice
+/// that, and no case may have more than a quarter.
 const COARSEST: f64 = 0.125;
 
 /// Choices by the number of their case.
 pub type Choices = BTreeMap<usize, Choice>;
 
-/// A wanted error of force and displacement, and what is known about meeting it.
+/// A wanted error of force and displacement, with the data to meet it.
 #[derive(Debug, Clone)]
 pub struct MaxError {
     percent: f64,
     table: AccuracyTable,
 }
 
-/// How accurate a case came out.
+/// The accuracy of a finished case.
 #[derive(Debug, Clone, Copy)]
 pub struct Verified {
     /// The case.
@@ -38,7 +38,7 @@ pub struct Verified {
     pub spacing_m: f64,
     /// The larger of the bars of force and displacement, percent; `None` without bars.
     pub bar_percent: Option<f64>,
-    /// Why that is not what was wanted; `None` where it is.
+    /// Why it misses the wanted error; `None` if it does not.
     pub missed: Option<Missed>,
     /// Whether finer particles may help.
     may_be_finer: bool,
@@ -50,11 +50,11 @@ pub struct Verified {
 pub enum Missed {
     /// It failed.
     Failed,
-    /// Something touches a quoted number.
+    /// A quoted number is doubtful.
     Doubtful,
     /// It has no error bars.
     WithoutBars,
-    /// Its error bars are wider.
+    /// Its error bars are too wide.
     Wide,
 }
 
@@ -62,7 +62,7 @@ impl MaxError {
     /// A wanted error in percent.
     ///
     /// # Errors
-    /// A number that is none, or a study that sweeps what is to be chosen.
+    /// A percentage that is not allowed, or a study that sweeps a key that is to be chosen.
     pub fn new(percent: f64, study: &Study) -> Result<MaxError, String> {
         if !(percent.is_finite() && percent > 0.0) {
             return Err(format!(
@@ -77,26 +77,26 @@ impl MaxError {
         Ok(MaxError { percent, table: AccuracyTable::stored() })
     }
 
-    /// What is wanted, percent.
+    /// The wanted error, percent.
     pub fn percent(&self) -> f64 {
         self.percent
     }
 
-    /// The numerics that are expected to do.
+    /// The first choice of numerics: those that are expected to meet it.
     pub fn first(&self, study: &Study) -> Choices {
         let choose = |case: &Case| Some((case.index, self.choose(study, case, COARSEST)?));
         study.cases.iter().filter_map(choose).collect()
     }
 
-    /// Finer spacings of the cases that miss what is wanted, where these may help and the table has any; `records` are
-    /// the runs'.
+    /// Finer spacings for the cases that miss the wanted error, if that may help and the table has
+    /// any. `records` are those of the runs.
     pub fn finer(&self, study: &Study, records: &[Option<CaseRecord>]) -> Choices {
         let verified = self.verify(study, records).into_iter();
         let missed = verified.filter(|case| case.missed.is_some() && case.may_be_finer);
         missed.filter_map(|case| self.next(study, &study.cases[case.index])).collect()
     }
 
-    /// The same if the bars of all cases were too wide.
+    /// The same, as if the bars of all cases were too wide.
     pub fn all_finer(&self, study: &Study) -> Choices {
         study.cases.iter().filter_map(|case| self.next(study, case)).collect()
     }
@@ -111,8 +111,8 @@ impl MaxError {
         Some((case.index, self.choose(study, case, 0.99 * spacing / depth)?))
     }
 
-    /// The narrowest bar, percent, of the cases whose bars cannot be as narrow as wanted, and how many
-    /// these are; `None` where there are none.
+    /// The cases whose bars cannot be as narrow as wanted: the narrowest bar among them, percent,
+    /// and their number. `None` if there are none.
     pub fn floor(&self, study: &Study) -> Option<(f64, usize)> {
         let beyond = study.cases.iter().filter(|case| self.is_out_of_reach(case));
         let floors: Vec<_> =
@@ -129,7 +129,7 @@ impl MaxError {
         self.table.choose(&case.config, self.percent, at_most, &study.keys)
     }
 
-    /// How accurate the finished cases came out; `records` are the runs'.
+    /// The accuracy of the finished cases; `records` are those of the runs.
     pub fn verify(&self, study: &Study, records: &[Option<CaseRecord>]) -> Vec<Verified> {
         let verified = |case: &Case| {
             let record = records[case.index].as_ref()?;
@@ -156,7 +156,7 @@ impl MaxError {
         }
     }
 
-    /// `max_error.csv`: which case got which numerics and whether its bars keep to the aim.
+    /// `max_error.csv`: the numerics of each case, and whether its bars meet the aim.
     pub fn csv(&self, study: &Study, verified: &[Verified]) -> String {
         let (id, spacing) = (CASE_ID.name, PARTICLE_SPACING.name);
         let header = [id, spacing, "numerics", "error_bar_percent", "max_error_percent", "met"];
@@ -188,7 +188,7 @@ fn bar_percent(record: &CaseRecord, bars: &ErrorBars) -> Option<f64> {
 }
 
 impl Study {
-    /// The same cases as a sweep of its own, which aims at an error in percent.
+    /// The same cases as a sweep that aims at an error in percent.
     pub fn aiming_at(mut self, percent: f64) -> Study {
         let aim = format!("{} max-error {percent}", self.identity);
         self.identity = digits(Sha256::new_with_prefix(aim));
@@ -196,9 +196,9 @@ impl Study {
         self
     }
 
-    /// The same sweep with other cases in place of those that `choose` has one for, and with a pair of
-    /// error bars. The sweep keeps its identity through every such choice, so that its directory
-    /// takes them all.
+    /// The same sweep, with a pair of error bars. Cases for which `choose` returns one are
+    /// replaced. The sweep keeps its identity through every such choice, so that its directory
+    /// takes all of them.
     pub fn with_choices(&self, choose: impl Fn(usize) -> Option<CaseConfig>) -> Study {
         let mut cases = self.cases.clone();
         for case in &mut cases {

@@ -1,4 +1,4 @@
-//! How accurate and how robust the methods are, and what the program does with that knowledge.
+//! Accuracy and robustness of the methods, and how the program uses these data.
 //!
 //! - [`Matrix`] holds the cases and methods of `seawall accuracy` and `seawall stress`;
 //! - [`score`] tells their errors, [`judge`] their verdicts;

@@ -1,4 +1,4 @@
-//! The quantities that a matrix names, and what their errors are measured by.
+//! The quantities of a matrix, and the scales of their errors.
 
 use serde::Deserialize;
 
@@ -12,22 +12,22 @@ pub struct Quantity {
     kind: Kind,
 }
 
-/// What a quantity is, which decides what its error is measured by.
+/// The kind of a quantity. It decides the scale of its error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
-    /// A force, by its true value.
+    /// A force, relative to its true value.
     Force,
-    /// A level, by the still water depth.
+    /// A level, relative to the still water depth.
     Runup,
-    /// A displacement, by its true value.
+    /// A displacement, relative to its true value.
     Displacement,
-    /// Anything else that is told of a flow: by its true value.
+    /// Any other quantity of a flow, relative to its true value.
     Flow,
-    /// How far a flow is off, in percent: an error as it stands.
+    /// The error of a flow, in percent: used as it is.
     Gap,
 }
 
-/// Fields of the outcome by their kinds; all others, and readings, tell of a flow.
+/// Fields of the outcome by kind. All others, and readings, are of the flow.
 const FIELDS: [(Kind, &[&str]); 3] = [
     (
         Kind::Force,

@@ -1,7 +1,8 @@
-//! Points that a study adds between its own, until linear interpolation is as good as asked.
+//! Points that a study adds between its own, until linear interpolation is as good as wanted.
 //!
-//! What is added depends on results alone, which are the same to the bit for any number of ranks and after
-//! any interruption. So every process that knows the results of a round finds the same next one.
+//! The added points depend on results alone. These are the same to the bit for any number of ranks
+//! and after any interruption. So every process that knows the results of a round finds the same
+//! next one.
 
 use std::collections::HashMap;
 
@@ -11,32 +12,33 @@ use crate::results::CaseRecord;
 use crate::scene::ConfigError;
 use crate::study::{Assignments, Case, Refine, Study, SweepFile};
 
-/// An interval of the grid as written is cut in no more than so many pieces.
+/// An interval of the grid is cut into at most this many pieces.
 const PIECES: f64 = 64.0;
 
-/// What is to be added, and to which study.
+/// The refinement of a study.
 #[derive(Debug, Clone)]
 pub struct Refinement {
     file: SweepFile,
-    /// What was asked.
+    /// The settings in the file.
     pub asked: Refine,
 }
 
-/// What a round has found.
+/// The result of a round.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Round {
     /// The points of the next round.
     pub points: Vec<Assignments>,
-    /// Intervals that bend more than was asked and are not cut: too many points, or pieces too small.
+    /// Intervals with a larger error than wanted that are not cut: there would be too many points,
+    /// or pieces too small.
     pub open: usize,
-    /// The largest deviation of linear interpolation that is expected within an interval.
+    /// The largest error of linear interpolation that is expected within an interval.
     pub worst: Option<f64>,
-    /// Intervals of which nothing can be told: a case beside them failed, has no value or a bound.
+    /// Intervals without an estimate: a case beside them failed, has no value, or only a bound.
     pub unknown: usize,
 }
 
-/// An interval of a line: its middle, and how far the chord is expected to be off; infinite where no third
-/// point tells.
+/// An interval of a line: its middle, and the expected error of the chord. The error is infinite
+/// without a third point.
 struct Interval {
     middle: Assignments,
     off: Option<f64>,
@@ -47,7 +49,7 @@ struct Interval {
 struct Stop {
     value: f64,
     place: f64,
-    /// `None` where it failed, has none, or a bound alone.
+    /// `None` if it failed, has no value, or only a bound.
     result: Option<f64>,
 }
 
@@ -58,7 +60,8 @@ impl Refinement {
         Some(Refinement { file: file.clone(), asked })
     }
 
-    /// The study with the points of all rounds whose results are known. `records` tells those of a study.
+    /// The study with the points of all rounds whose results are known. `records` gives those of a
+    /// study.
     ///
     /// # Errors
     /// Those of the file, and what `records` fails with.
@@ -76,7 +79,7 @@ impl Refinement {
         }
     }
 
-    /// The study of the next round; `None` where this one has not ended, or nothing is to be added.
+    /// The study of the next round. `None` if this one has not ended, or no point is added.
     ///
     /// # Errors
     /// Those of the file.
@@ -106,14 +109,14 @@ impl Refinement {
         self.added(study).count()
     }
 
-    /// Whether all values of a case stand in the file, but for one key's.
+    /// Whether all values of a case are in the file, except for one key's.
     fn is_written(&self, case: &Case, but: Option<usize>) -> bool {
         let pairs = self.file.grid.iter().zip(&case.assignments).enumerate();
         let mut others = pairs.filter(|(key, _)| Some(*key) != but);
         others.all(|(_, (axis, value))| value.as_deref().is_none_or(|v| axis.values.contains(v)))
     }
 
-    /// What the results of a round ask for.
+    /// The points that the results of a round call for.
     pub fn round(&self, study: &Study, records: &[Option<CaseRecord>]) -> Round {
         let results: Vec<_> =
             study.cases.iter().map(|case| self.result(study, case, records)).collect();
@@ -135,7 +138,7 @@ impl Refinement {
         Round { points, open, worst, unknown }
     }
 
-    /// The quantity of a case; a lower bound is none.
+    /// The quantity of a case; a lower bound does not count.
     fn result(&self, study: &Study, case: &Case, records: &[Option<CaseRecord>]) -> Option<f64> {
         let record = records[case.index].as_ref().filter(|record| record.is_ok())?;
         let bars = study.error_bars(case.index, records);
@@ -144,8 +147,8 @@ impl Refinement {
         column.number(&reported).filter(|_| !column.is_bound(&reported))
     }
 
-    /// The intervals of all lines along a key, in the grid's order. Lines are those of the grid as written:
-    /// all other keys have values that stand in the file.
+    /// The intervals of all lines along a key, in the grid's order. Lines are those of the grid in
+    /// the file: all other keys have values from the file.
     fn intervals(&self, study: &Study, key: usize, results: &[Option<f64>]) -> Vec<Interval> {
         let Some(scale) = Study::scale(&self.file, key) else { return Vec::new() };
         let mut lines: Vec<(Assignments, Vec<Stop>)> = Vec::new();
@@ -186,8 +189,8 @@ impl Refinement {
     }
 }
 
-/// How far the chord between two neighbours is expected to be off, from the bend through the points beside them.
-/// It is infinite on a line of two points, and `None` where one of the two has no value.
+/// The expected error of the chord between two neighbours, from the curvature through the points
+/// beside them. It is infinite on a line of two points, and `None` if one of the two has no value.
 fn off(stops: &[Stop], at: usize) -> Option<f64> {
     let point = |at: usize| {
         let stop = stops.get(at)?;

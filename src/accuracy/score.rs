@@ -13,13 +13,13 @@ pub struct Scored {
     pub case: String,
     /// Name of the method.
     pub method: String,
-    /// Percent of the truth; of the still water depth for levels. `None` where it has failed.
+    /// Percent of the truth; for levels percent of the still water depth. `None` if it failed.
     pub force_error_percent: Option<f64>,
     /// Likewise.
     pub runup_error_percent: Option<f64>,
     /// Likewise.
     pub displacement_error_percent: Option<f64>,
-    /// Of all other quantities, the scene's readings: periods, decay, axes, fronts.
+    /// Of all other quantities, which are readings of the scene: periods, decay, axes, fronts.
     pub flow_error_percent: Option<f64>,
     /// Processor time, seconds.
     pub cpu_time_s: Option<f64>,
@@ -28,7 +28,7 @@ pub struct Scored {
 }
 
 impl Scored {
-    /// The errors there are.
+    /// All errors.
     pub fn errors(&self) -> impl Iterator<Item = f64> {
         self.loads().chain(self.runup_error_percent).chain(self.flow_error_percent)
     }
@@ -44,7 +44,7 @@ impl Scored {
 pub struct MethodScore {
     /// Name of the method.
     pub method: String,
-    /// Root mean square of all errors, percent; `None` where a case has failed.
+    /// Root mean square of all errors, percent; `None` if a case failed.
     pub error_percent: Option<f64>,
     /// The largest error, percent.
     pub worst_percent: Option<f64>,
@@ -52,11 +52,11 @@ pub struct MethodScore {
     pub cpu_time_s: f64,
     /// Cases that failed.
     pub failed: usize,
-    /// No other method is both cheaper and more accurate.
+    /// Whether no other method is both cheaper and more accurate.
     pub pareto: bool,
 }
 
-/// Scores all pairs that this build can run, but for those that are taken for the truth.
+/// Scores all pairs that this build can run, except those taken for the truth.
 pub fn score(matrix: &Matrix, pairs: &[Trial], records: &[Option<CaseRecord>]) -> Vec<Scored> {
     let record = |pair: &Trial| records.get(*pair.run.as_ref().ok()?)?.as_ref();
     let scored = |pair: &Trial| {
@@ -96,7 +96,7 @@ fn worst(record: &CaseRecord, truth: &BTreeMap<Quantity, f64>, kinds: &[Kind]) -
     errors.max_by(|a, b| a.abs().total_cmp(&b.abs()))
 }
 
-/// Which errors count for a method.
+/// The errors that count for a method.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Errors {
     /// All of them.
@@ -106,7 +106,7 @@ pub enum Errors {
 }
 
 impl Errors {
-    /// What stands in the place of a case for the sums of the group.
+    /// The name in the column of cases for the sums of the group.
     pub fn name(self) -> &'static str {
         match self {
             Errors::All => "all",

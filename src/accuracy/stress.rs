@@ -1,9 +1,9 @@
-//! Verdicts on hard cases: criteria stated before the run, and how close to them it came.
+//! Verdicts on hard cases: criteria that are stated before the run, and how close to them it came.
 
 use super::matrix::{Matrix, Trial};
 use crate::results::CaseRecord;
 
-/// What became of a pair.
+/// The result of a pair.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Verdict {
@@ -17,7 +17,7 @@ pub enum Verdict {
     NotThere,
 }
 
-/// One row of the matrix of what survives where.
+/// A row of the matrix of results.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Judged {
     /// Name of the case.
@@ -26,9 +26,9 @@ pub struct Judged {
     pub method: String,
     /// The verdict.
     pub verdict: Verdict,
-    /// The largest share of a bound that it reached, criteria and health alike: 1 is the edge.
+    /// The largest share of a bound that it reached, of criteria and health; 1 is at the bound.
     pub edge: Option<f64>,
-    /// Which bound that was; why it failed or is not there.
+    /// The name of that bound, or why it failed or cannot run.
     pub reason: String,
     /// Wall time, seconds.
     pub wall_time_s: Option<f64>,
@@ -92,7 +92,7 @@ fn one<'a>(
     judged
 }
 
-/// The share of a range that a value has used up: 0 in its middle, 1 at its ends.
+/// The position of a value in a range: 0 in its middle, 1 at its ends.
 fn used(value: f64, low: f64, high: f64) -> f64 {
     let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
     if half > 0.0 {

@@ -1,11 +1,13 @@
-//! What the program knows of its own accuracy: the cheapest numerics that a table of measured errors
-//! expects to meet a wanted one.
+//! The program's own accuracy: finds the cheapest numerics that a table of measured errors expects
+//! to meet a wanted error.
 //!
-//! What counts is the force over the first impact and the displacement, in percent; the table is
-//! `data/accuracy.csv`, a part of this program: `scripts/accuracy` makes it anew from the cases and
-//! methods of `sweeps/accuracy.toml`. Of these methods only some are chosen from: those of the default scheme that
-//! set nothing but the spacing and the precision. Others may come out well in the one or two cases that count, by
-//! chance, and error bars are proven for the default scheme alone.
+//! Only the force over the first impact and the displacement count, in percent. The table is
+//! `data/accuracy.csv`, which is part of this program. `scripts/accuracy` makes it from the cases
+//! and methods of `sweeps/accuracy.toml`.
+//!
+//! Only some of these methods can be chosen: those of the default scheme that set nothing but the
+//! spacing and the precision. Others may be good by chance in the one or two cases that count.
+//! Error bars are only proven for the default scheme.
 
 use serde::Deserialize;
 use toml::Table;
@@ -13,10 +15,10 @@ use toml::Table;
 use super::matrix::Matrix;
 use crate::scene::CaseConfig;
 
-/// What a method may set, besides the spacing, to be chosen.
+/// Keys that a method may set, besides the spacing, to be chosen.
 const CHOSEN: [&str; 1] = ["precision"];
 
-/// Measured errors and costs by method: what the program knows about itself.
+/// Measured errors and costs by method.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AccuracyTable {
     cases: Vec<Known>,
@@ -35,13 +37,13 @@ struct Recipe {
     name: String,
     /// Spacing over depth.
     spacing: f64,
-    /// What else it sets.
+    /// Other keys that it sets.
     numerics: Table,
     /// By the number of the case: error of force and displacement, percent, and processor seconds.
     measured: Vec<Option<(f64, f64)>>,
 }
 
-/// What of a row of `accuracy.csv` counts.
+/// The columns of `accuracy.csv` that are used.
 #[derive(Deserialize)]
 struct Measured {
     case: String,
@@ -51,7 +53,7 @@ struct Measured {
     cpu_time_s: Option<f64>,
 }
 
-/// Chosen numerics and why.
+/// Chosen numerics, and the reason.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Choice {
     /// The case with them.
@@ -60,7 +62,7 @@ pub struct Choice {
     pub method: String,
     /// The largest measured error of the table's nearest cases, percent.
     pub expected_percent: f64,
-    /// What they took together, processor seconds.
+    /// Their total cost, processor seconds.
     pub cost_s: f64,
     /// Those cases.
     pub because: String,
@@ -76,7 +78,7 @@ impl AccuracyTable {
         AccuracyTable::read(&matrix.expect("the shipped matrix is tested"), rows)
     }
 
-    /// Reads `accuracy.csv` with the matrix that it was made from.
+    /// Reads `accuracy.csv` with the matrix from which it was made.
     pub fn read(matrix: &Matrix, rows: &str) -> AccuracyTable {
         let mut depths = Vec::new();
         let mut cases = Vec::new();
@@ -115,9 +117,9 @@ impl AccuracyTable {
         AccuracyTable { cases, methods }
     }
 
-    /// The cheapest method, with particles no farther apart than `at_most` of the depth, that is
-    /// expected to keep the error within `percent`; the most accurate where none is. A method that
-    /// sets one of the keys in `swept`, or one that the case has already set, is no choice.
+    /// The cheapest method that is expected to keep the error within `percent`, with a spacing of
+    /// at most `at_most` of the depth. If there is none, it is the most accurate. A method that
+    /// sets a key in `swept`, or one that the case has set, is not used.
     pub fn choose(
         &self,
         config: &CaseConfig,
@@ -165,8 +167,8 @@ impl AccuracyTable {
 }
 
 impl Recipe {
-    /// A case with this method's numerics; `None` where that would override what its file says, or
-    /// is nothing that the case can take.
+    /// A case with this method's numerics. `None` if they would override the case's file, or the
+    /// case cannot take them.
     fn applied(&self, config: &CaseConfig, depth: f64, swept: &[String]) -> Option<CaseConfig> {
         let mut numerics = config.numerics_of_its_own();
         for (key, value) in &self.numerics {
@@ -182,8 +184,8 @@ impl Recipe {
     }
 }
 
-/// What of a case's numerics its scene does not have by default, in words: `particle_spacing_m = 0.02,
-/// ...`.
+/// The numerics of a case that differ from its scene's defaults, in words: `particle_spacing_m =
+/// 0.02, ...`.
 pub fn differences(config: &CaseConfig) -> String {
     let word =
         |value: &toml::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);

@@ -74,12 +74,12 @@ fn a_step_is_resolved_and_what_is_straight_is_left_alone() {
         let widest = places.windows(2).map(|p| p[1] - p[0]).fold(0.0, f64::max);
         let least = places.windows(2).map(|p| p[1] - p[0]).fold(f64::INFINITY, f64::min);
         assert!(widest > 3.0 * least, "{places:?}");
-        // An even grid would take steps as short as the shortest: more than twice as many.
+        // An even grid would have the smallest step everywhere: more than twice as many points.
         assert!((refinement.count(&study) as f64) < 0.5 * 6.0 / least, "{values:?}");
     }
 }
 
-/// The middle of three points lies on the chord of the others, whatever the curve does between them.
+/// The middle of three points lies on the chord of the others, however the curve runs between them.
 #[test]
 fn three_points_of_a_step_are_not_taken_for_a_straight_line() {
     let text = "spring_stiffness_n_per_m = [1, 1e3, 1e6]\n\
@@ -92,7 +92,7 @@ fn three_points_of_a_step_are_not_taken_for_a_straight_line() {
         let off = (middle - force((pair[0] * pair[1]).sqrt())).abs();
         assert!(off < 0.05, "{off} between {pair:?}");
     }
-    // A line whose points differ by little is left alone.
+    // A line whose points differ little is not refined.
     let (refinement, study, _) = refined(&file(text), |k| Some(2.0 + 0.05 * libm::log10(k)));
     assert_eq!(refinement.count(&study), 0);
 }
@@ -109,7 +109,8 @@ fn the_grid_keeps_its_order_and_lines_do_not_mix() {
     let waves =
         study.cases.iter().map(|case| case.config.scene.seawall().unwrap().wave_height_ratio);
     let waves: Vec<_> = waves.collect();
-    // Two waves: the middle is asked for, as no third point tells; the two lines bend alike.
+    // Two waves: the middle is added, because there is no third point. Both lines have the same
+    // curvature.
     assert!(waves.windows(2).all(|pair| pair[0] <= pair[1]), "{waves:?}");
     assert!(waves.contains(&0.4) && half > 3);
     assert!(study.cases.iter().enumerate().all(|(at, case)| case.index == at));
@@ -126,7 +127,7 @@ fn rounds_are_found_again_from_what_is_known_of_them() {
     let file = file(text);
     let (_, whole, _) = refined(&file, |k| Some(force(k)));
     let refinement = Refinement::of(&file).unwrap();
-    // Half of the second round is missing: the study is that of the second round, and waits.
+    // Half of the second round is missing, so the study is that of the second round, and waits.
     let known = |study: &Study| -> Vec<_> {
         let one = |case: &Case| {
             (case.id != whole.cases[3].id).then(|| record(study, case, |k| Some(force(k))))
@@ -148,7 +149,7 @@ fn most_and_the_smallest_piece_bound_what_is_added() {
     let (refinement, study, round) = refined(&asked(1e-3, 5), |k| Some(force(k)));
     assert_eq!(refinement.count(&study), 5);
     assert!(round.points.is_empty() && round.open > 0 && round.worst.unwrap() > 1e-3);
-    // A jump is never straight: its interval is halved until it is a 64th.
+    // A jump never becomes straight, so its interval is halved down to a 64th.
     let (refinement, study, round) =
         refined(&asked(0.01, 1000), |k| Some(if k < 2e3 { 1.0 } else { 3.0 }));
     assert!(round.open > 0 && refinement.count(&study) < 40, "{}", refinement.count(&study));
