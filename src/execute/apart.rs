@@ -1,4 +1,4 @@
-//! Work that a process may have died of, in a process of its own.
+//! Work in a process of its own, because an earlier process may have died of it.
 //!
 //! The child is this program, with the hidden subcommand `apart`. It reads a task from standard
 //! input and writes a [`Result`] to standard output. If it dies, its work has failed and nothing else.
@@ -21,14 +21,14 @@ use crate::simulation::{
 
 /// The hidden subcommand.
 pub const SUBCOMMAND: &str = "apart";
-/// Between two looks at a child.
+/// Time between two checks of a child.
 const PAUSE: Duration = Duration::from_millis(5);
-/// So long a child may take to tell that its time is over, and at which time of the case.
+/// Time for a child to report that its time limit is reached, and the simulated time.
 const GRACE: Duration = Duration::from_secs(2);
-/// Between two looks of a child at its parent.
+/// Time between two checks of a child on its parent.
 const WATCH: Duration = Duration::from_millis(100);
 
-/// What a child is to do.
+/// The task of a child.
 #[derive(Debug, Serialize, Deserialize)]
 struct Task {
     trunk: bool,
@@ -110,13 +110,13 @@ fn start() -> std::io::Result<Child> {
             command.env_remove(&name);
         }
     }
-    // A signal from the terminal is for the parent, which decides what becomes of the child.
+    // A signal from the terminal is for the parent, which decides what happens to the child.
     std::os::unix::process::CommandExt::process_group(&mut command, 0);
     let pipes = command.arg(SUBCOMMAND).stdin(Stdio::piped()).stdout(Stdio::piped());
     pipes.stderr(Stdio::piped()).spawn()
 }
 
-/// What is left of a child.
+/// The output and the status of a child.
 struct Heard {
     answer: Vec<u8>,
     complaint: String,
@@ -126,9 +126,9 @@ struct Heard {
 /// How a child ended.
 enum Ended {
     Itself(Heard),
-    /// It was told to stop.
+    /// It was asked to stop.
     Told,
-    /// It took more than it may.
+    /// It took more memory than it may.
     TooLarge(String),
 }
 
@@ -139,14 +139,15 @@ fn talk(child: &mut Child, task: &[u8], monitor: &dyn Monitor) -> std::io::Resul
     std::thread::scope(|scope| {
         let answer = scope.spawn(move || read_all(output));
         let complaint = scope.spawn(move || read_all(errors));
-        // A child that dies before it has read all breaks the pipe: its status tells.
+        // A child that dies before it has read everything breaks the pipe. Its status then says
+        // why.
         let _ = input.map(|mut input| input.write_all(task));
         let mut too_late: Option<Instant> = None;
         let status = loop {
             if let Some(status) = child.try_wait()? {
                 break Ok(status);
             }
-            // Steps it counts itself.
+            // The child counts its steps itself.
             let taken = peak_bytes(child.id()).filter(|_| limits.memory_mib.is_some());
             let over = taken.and_then(|bytes| limits.on_memory(bytes, "takes"));
             let late = monitor
@@ -168,13 +169,13 @@ fn talk(child: &mut Child, task: &[u8], monitor: &dyn Monitor) -> std::io::Resul
     })
 }
 
-/// The most memory that a process has taken so far, where the system tells.
+/// The most memory that a process has taken so far, if the system provides it.
 fn peak_bytes(process: u32) -> Option<u64> {
     let text = std::fs::read_to_string(format!("/proc/{process}/status")).ok()?;
     kilobytes(&text, "VmHWM:")
 }
 
-/// Watches a child's limits from within.
+/// Checks a child's limits from within.
 struct Limited {
     limits: Limits,
     since: Instant,
@@ -188,13 +189,13 @@ impl Monitor for Limited {
 
 fn read_all(pipe: Option<impl Read>) -> Vec<u8> {
     let mut bytes = Vec::new();
-    // What came before an error is all that there is.
+    // After an error there is no more output.
     let _ = pipe.map(|mut pipe| pipe.read_to_end(&mut bytes));
     bytes
 }
 
-/// Ends this process soon after the one that has started it: nobody waits for its answer any more, and
-/// the next one to take the work up keeps the same checkpoint.
+/// Ends this process soon after its parent ends. Nobody waits for its answer then, and the next
+/// process with this work writes the same checkpoint.
 fn end_with_parent() {
     let parent = std::os::unix::process::parent_id();
     std::thread::spawn(move || {
@@ -205,11 +206,11 @@ fn end_with_parent() {
     });
 }
 
-/// The child's side: a task from `input`, which the runner that `make_runner` makes does, and its answer to
-/// `output`.
+/// The child's side: reads a task from `input`, runs it on the runner from `make_runner`, and
+/// writes the answer to `output`.
 ///
 /// # Errors
-/// A task that cannot be read, or nobody who listens.
+/// A task that cannot be read, or an output that is closed.
 pub fn serve<R: Runner>(
     mut input: impl Read,
     mut output: impl Write,

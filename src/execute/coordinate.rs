@@ -1,4 +1,4 @@
-//! The loop that ties manager, link and journal together; it runs on one thread, on rank 0.
+//! The loop that connects manager, link and journal. It runs on one thread, on rank 0.
 
 use std::time::{Duration, Instant};
 
@@ -12,10 +12,10 @@ use crate::results::{CaseRecord, Delivery, RankInfo, Savings, SweepError, forget
 use crate::schedule::{Command, Event, Manager, Work};
 use crate::simulation::{CaseResult, Failure, FailureKind, Stopped};
 
-/// How long to wait for a report before looking at signals and the journal.
+/// How long to wait for a report before checking signals and the journal.
 const PATIENCE: Duration = Duration::from_millis(50);
 
-/// Runs a plan to its end, or until interrupted; everything finished is recorded and on the disk
+/// Runs a plan to its end, or until interrupted. Everything finished is recorded and on the disk
 /// when this returns.
 pub fn coordinate(link: &mut dyn Link, session: &mut Session<'_>) -> Result<Worked, SweepError> {
     let capacities: Vec<_> = session.ranks.iter().map(RankInfo::places).collect();
@@ -31,7 +31,7 @@ pub fn coordinate(link: &mut dyn Link, session: &mut Session<'_>) -> Result<Work
     for rank in 0..capacities.len() {
         loop_.tell(Event::Ready { rank }, link, session)?;
     }
-    // All ranks are gone through for it: with every report of thousands that would be too much.
+    // This visits all ranks, which would take too long at every report of thousands.
     let mut looked = Instant::now();
     let mut told = false;
     while !loop_.manager.finished() {

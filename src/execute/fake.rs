@@ -1,4 +1,4 @@
-//! Made-up physics: deterministic numbers in no time, for tests of everything around the physics.
+//! Made-up physics for tests of everything else: deterministic numbers in no time.
 
 use std::time::{Duration, Instant};
 
@@ -29,7 +29,7 @@ pub enum Fate {
 pub struct FakeRunner {
     /// How long each case takes.
     pub delay: Duration,
-    /// What becomes of a case.
+    /// The fate of a case.
     pub fate: fn(&CaseConfig) -> Fate,
     /// Whether every trunk fails.
     pub trunks_fail: bool,

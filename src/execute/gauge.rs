@@ -1,4 +1,4 @@
-//! How far the pieces of work are that this process is at.
+//! Progress of the present work of this process.
 
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -10,7 +10,7 @@ use crate::scene::CaseConfig;
 use crate::schedule::Work;
 use crate::simulation::{Limits, Monitor};
 
-/// How far every piece is that is being worked on, as a share of the way from rest to the end of its case.
+/// The progress of every piece of work, as a share of the way from rest to the end of its case.
 #[derive(Debug, Default)]
 pub(super) struct Gauges(Mutex<HashMap<Work, Arc<AtomicU64>>>);
 
@@ -29,7 +29,7 @@ impl Gauges {
         Gauge { gauges: self, cancel, work, way, share, limits, since: Instant::now() }
     }
 
-    /// What is being worked on, and how far it is.
+    /// The present work, with its progress.
     pub(super) fn read(&self) -> Vec<(Work, f64)> {
         let share = |share: &Arc<AtomicU64>| f64::from_bits(share.load(Ordering::Relaxed));
         self.lock().iter().map(|(&work, at)| (work, share(at))).collect()
@@ -40,12 +40,13 @@ impl Gauges {
     }
 }
 
-/// The way of a case from rest to its end, that in which its water comes to rest included: simulated times, seconds.
+/// The simulated times from rest to the end of a case, seconds. They include the relaxation of its
+/// water.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Way([f64; 2]);
 
 impl Way {
-    /// That of a case, or of the cases that share a trunk.
+    /// Of a case, or of the cases that share a trunk.
     pub(super) fn of(config: &CaseConfig) -> Way {
         let rests = config.scene.start_s() - config.numerics.relaxation_time_s;
         Way([rests, config.scene.frame().end_time])
@@ -58,7 +59,7 @@ impl Way {
     }
 }
 
-/// Watches one piece of work.
+/// Records the progress of one piece of work.
 pub(super) struct Gauge<'a> {
     gauges: &'a Gauges,
     cancel: &'a Interrupt,

@@ -1,4 +1,4 @@
-//! Asking a sweep to stop: SIGINT, SIGTERM, SIGUSR1, or SIGHUP where its terminal goes away.
+//! Requests to stop a sweep: SIGINT, SIGTERM, SIGUSR1, or SIGHUP if its terminal closes.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -11,23 +11,23 @@ use signal_hook::{flag, low_level};
 
 use crate::simulation::Monitor;
 
-/// Set once work is to stop, by the user or by whoever has begun it.
+/// Set once work must stop, by the user or by the program itself.
 #[derive(Debug, Clone, Default)]
 pub struct Interrupt(Arc<AtomicBool>);
 
-/// Exit code of an interrupted sweep, also of one that is told twice.
+/// Exit code of an interrupted sweep, also after a second signal.
 const INTERRUPTED: i32 = 3;
 
-/// Signals so close to one another are the same wish. A terminal sends Ctrl-C to a program and to what has
-/// started it, which passes it on; so does `timeout`.
+/// Signals within this time count as one request. A terminal sends Ctrl-C to a program and also to
+/// its parent, which passes it on. So does `timeout`.
 const AT_ONCE: Duration = Duration::from_millis(300);
 
 impl Interrupt {
-    /// Listens to the signals: the first one sets the flag, a later one ends the process at
-    /// once (the journal is whole even then).
+    /// Listens to the signals. The first one sets the flag; a later one ends the process at once
+    /// (the journal is complete even then).
     pub fn listen() -> std::io::Result<Interrupt> {
         let interrupt = Interrupt::default();
-        // What `nohup` has started outlives its terminal.
+        // Programs started by `nohup` outlive their terminal.
         let hang_up = Some(SIGHUP).filter(|&signal| !is_ignored(signal));
         let heeded: Vec<_> = [SIGINT, SIGTERM, SIGUSR1].into_iter().chain(hang_up).collect();
         for signal in &heeded {
@@ -57,12 +57,13 @@ impl Interrupt {
     }
 }
 
-/// Lets a write beyond `ulimit -f` fail as one to a full disk does. The system would end the process without a word.
+/// Makes a write beyond `ulimit -f` fail like one to a full disk. Otherwise the system would end
+/// the process without a message.
 pub fn outlive_long_files() -> std::io::Result<()> {
     flag::register(SIGXFSZ, Arc::default()).map(drop)
 }
 
-/// Whether this process was started to ignore a signal, as far as the system tells.
+/// Whether this process was started to ignore a signal, if the system provides it.
 fn is_ignored(signal: i32) -> bool {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));

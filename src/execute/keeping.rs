@@ -1,4 +1,4 @@
-//! Work that takes long keeps its state in the output directory, and goes on from it.
+//! Long work stores its state in the output directory, and goes on from it.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -12,26 +12,26 @@ use crate::keys::{named, shown};
 use crate::results::Checkpoint;
 use crate::simulation::{Keeper, Monitor};
 
-/// Less work than this is not worth a checkpoint where a run is told to stop.
+/// Less work than this is not worth a checkpoint when a run must stop.
 const LEAST: Duration = Duration::from_secs(1);
 
-/// Where checkpoints go, and how often.
+/// Where checkpoints are stored, and how often.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Keeping {
     /// The output directory.
     pub directory: PathBuf,
-    /// From one to the next.
+    /// Time between checkpoints.
     pub every: Duration,
 }
 
 impl Keeping {
-    /// In an output directory, so many seconds apart; none where that is 0.
+    /// In an output directory, at this interval, seconds; none if it is 0.
     pub fn new(directory: &Path, every_s: f64) -> Option<Keeping> {
         let every = Duration::try_from_secs_f64(every_s).unwrap_or(Duration::MAX);
         (!every.is_zero()).then(|| Keeping { directory: directory.to_owned(), every })
     }
 
-    /// Does a piece of work under its monitor, which also keeps its state.
+    /// Does a piece of work under its monitor, and stores its state.
     pub(super) fn during<T>(
         &self,
         checkpoint: Checkpoint,
@@ -44,7 +44,7 @@ impl Keeping {
     }
 }
 
-/// A monitor that also keeps.
+/// A monitor that also stores states.
 struct Kept<'a> {
     inner: &'a dyn Monitor,
     keeper: FileKeeper,
@@ -60,20 +60,20 @@ impl Monitor for Kept<'_> {
     }
 }
 
-/// Keeps a state in a file.
+/// Stores a state in a file.
 struct FileKeeper {
     checkpoint: Checkpoint,
     every: Duration,
-    /// When it was kept last, or taken up.
+    /// Time of the last checkpoint, or of the start.
     since: Mutex<Instant>,
-    /// Whether it was told that there is no keeping here.
+    /// Whether it was already reported that checkpoints cannot be stored here.
     told: AtomicBool,
 }
 
 impl FileKeeper {
     fn tell(&self, what: &str) {
         if !self.told.swap(true, Ordering::Relaxed) {
-            // A note that nobody reads must not end a case.
+            // If the message cannot be written, the case must still go on.
             let path = named(self.checkpoint.path());
             let _ = writeln!(std::io::stderr(), "note: {path}: {}", shown(what));
         }
@@ -82,7 +82,7 @@ impl FileKeeper {
 
 impl Keeper for FileKeeper {
     fn last(&self) -> Option<Vec<u8>> {
-        // Who opened the directory has told what is damaged.
+        // Damage was reported when the directory was opened.
         self.checkpoint.read().ok().flatten()
     }
 

@@ -1,17 +1,18 @@
-//! Whether an MPI launcher started this process, and as which of how many.
+//! Whether an MPI launcher started this process, and its rank and number of processes.
 
-/// What a launcher told through the environment.
+/// The data of a launcher in the environment.
 ///
-/// `SLURM_*` is left out on purpose: plain batch shells carry it too.
+/// `SLURM_*` is not used on purpose: plain batch shells have it too.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Launcher {
-    /// A launcher is there.
+    /// Whether there is a launcher.
     pub present: bool,
-    /// Number of processes, where it told.
+    /// Number of processes, if given.
     pub size: Option<usize>,
-    /// This process's rank, 0 where it did not tell.
+    /// This process's rank; 0 if not given.
     pub rank: usize,
-    /// Several commands stand in its command line, with colons between them. Open MPI tells this.
+    /// Whether the launcher's command line has several commands, separated by colons. Open MPI
+    /// provides this.
     pub several: bool,
 }
 
@@ -34,8 +35,8 @@ impl Launcher {
         }
     }
 
-    /// Whether other copies of this process run beside it; a launcher that does not tell their
-    /// number may have started any.
+    /// Whether other copies of this process run beside it. A launcher that does not give their
+    /// number may have started any number.
     pub fn is_parallel(self) -> bool {
         self.present && self.size != Some(1)
     }

@@ -1,4 +1,4 @@
-//! How busy each rank is: the time of all that it has run, and of what it is at.
+//! The load of each rank: the time of all its past and present work.
 
 use std::collections::HashMap;
 use std::path::Path;
@@ -7,10 +7,10 @@ use std::time::{Duration, Instant};
 use crate::results::{Load, RankInfo, RankLoad};
 use crate::schedule::Work;
 
-/// The file is renewed so often.
+/// Interval at which the file is renewed.
 const EVERY: Duration = Duration::from_secs(2);
 
-/// Counts while a session runs. Nothing here decides an answer.
+/// Counts during a session. Nothing here affects an answer.
 #[derive(Debug)]
 pub(super) struct Loads {
     since: Instant,
@@ -32,7 +32,7 @@ impl Loads {
         self.begun.insert((rank, work), Instant::now());
     }
 
-    /// It has ended, after so many seconds of its own.
+    /// The work has ended, after this many seconds of its own.
     pub(super) fn end(&mut self, rank: usize, work: Work, seconds: f64) {
         self.begun.remove(&(rank, work));
         let load = &mut self.ranks[rank];
@@ -43,8 +43,8 @@ impl Loads {
         }
     }
 
-    /// What every rank has done so far. Of what it is at as many pieces count as it runs at once: the last
-    /// ones wait.
+    /// The work of every rank so far. A rank's present work counts only for as many pieces as it
+    /// runs at once, because the last ones wait.
     pub(super) fn so_far(&self) -> Load {
         let mut at: Vec<Vec<f64>> = vec![Vec::new(); self.ranks.len()];
         for (&(rank, _), begun) in &self.begun {
@@ -59,7 +59,8 @@ impl Loads {
         Load { elapsed_s, ranks: self.ranks.iter().zip(at).map(rank).collect() }
     }
 
-    /// Tells those who look at the directory while the sweep runs. Where that fails, they see nothing.
+    /// Writes the load for readers of the directory while the sweep runs. If that fails, they see
+    /// nothing.
     pub(super) fn tell(&mut self, directory: &Path) {
         if self.written.elapsed() >= EVERY {
             self.written = Instant::now();

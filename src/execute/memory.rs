@@ -1,36 +1,37 @@
-//! Whether what is to run fits into this machine.
+//! Whether the work fits into this machine's memory.
 
 use std::fs;
 use std::path::Path;
 
-/// Bytes that are left here, by the kernel and by the control group of this process, where either tells.
+/// Free memory, bytes, by the kernel and by the control group of this process, if either provides
+/// it.
 pub fn available_bytes() -> Option<u64> {
     let machine = fs::read_to_string("/proc/meminfo").ok();
     let machine = machine.and_then(|text| kilobytes(&text, "MemAvailable:"));
     [machine, group()].into_iter().flatten().min()
 }
 
-/// Bytes of address space that this process may still take, where it has a limit (`ulimit -v`).
+/// Address space that this process may still take, bytes, if it has a limit (`ulimit -v`).
 pub fn address_space_left() -> Option<u64> {
     let read = |name: &str| fs::read_to_string(format!("/proc/self/{name}")).ok();
     let taken = read("status").and_then(|text| kilobytes(&text, "VmSize:")).unwrap_or(0);
     Some(address_space(&read("limits")?)?.saturating_sub(taken))
 }
 
-/// The soft limit; `None` where there is none.
+/// The soft limit; `None` without a limit.
 fn address_space(limits: &str) -> Option<u64> {
     let line = limits.lines().find_map(|line| line.strip_prefix("Max address space"))?;
     line.split_whitespace().next()?.parse().ok()
 }
 
-/// What a line of the kernel's tells, in bytes.
+/// The value of a line of a kernel's file, in bytes.
 pub(super) fn kilobytes(text: &str, name: &str) -> Option<u64> {
     let line = text.lines().find_map(|line| line.strip_prefix(name))?;
     line.trim().strip_suffix("kB")?.trim().parse::<u64>().ok().map(|kilobytes| 1024 * kilobytes)
 }
 
-/// Where a version of control groups is, and how its files call the limit, what is taken, and what of that is
-/// read from files and can be let go.
+/// For each version of control groups: its place, and its files' names for the limit, the memory
+/// taken, and the part of that which is cached files and can be freed.
 const VERSIONS: [(&str, &str, &str, &str); 2] = [
     ("/sys/fs/cgroup", "memory.max", "memory.current", "inactive_file "),
     (
@@ -41,8 +42,8 @@ const VERSIONS: [(&str, &str, &str, &str); 2] = [
     ),
 ];
 
-/// What is left in the control groups of this process, as containers and Slurm set them: each up to the root may
-/// have a limit.
+/// Free memory in the control groups of this process, as containers and Slurm set them. Each group
+/// up to the root may have a limit.
 fn group() -> Option<u64> {
     let text = fs::read_to_string("/proc/self/cgroup").ok()?;
     let [second, first] = VERSIONS;

@@ -1,4 +1,4 @@
-//! What coordinator and workers say to each other.
+//! Messages between coordinator and workers.
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -12,8 +12,9 @@ use crate::study::CaseId;
 #[expect(missing_docs, reason = "fields are called what they are")]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Order {
-    /// Do a piece of work, from a checkpoint if there is one. `apart`: in a process of its own, as an earlier one
-    /// may have died of it. `files`: the name of the files that it leaves; a companion leaves none.
+    /// Do a piece of work, from a checkpoint if there is one. `apart`: in a process of its own,
+    /// because an earlier one may have died of it. `files`: the name of the files that it leaves; a
+    /// companion leaves none.
     Run {
         work: Work,
         config: Posted,
@@ -28,10 +29,12 @@ pub enum Order {
     Cancel,
 }
 
-/// A configuration on its way: as it is within a process, as JSON between processes, which carries every bit.
+/// A configuration in a message. Within a process it stays as it is. Between processes it is JSON,
+/// which keeps every bit.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Posted {
-    /// As it is: to write and read a text takes longer than all else that is said of a small case.
+    /// As it is: writing and reading text would take longer than the rest of a small case's
+    /// messages.
     Whole(Box<CaseConfig>),
     /// JSON.
     Text(String),
@@ -71,7 +74,7 @@ impl<'de> Deserialize<'de> for Posted {
     }
 }
 
-/// Where a trunk ended.
+/// The end of a trunk.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Reached {
     /// Steps taken.
@@ -80,13 +83,13 @@ pub struct Reached {
     pub time_s: f64,
 }
 
-/// From a worker to the coordinator; numbers are places in the plan.
+/// From a worker to the coordinator. Numbers are indices in the plan.
 #[expect(missing_docs, reason = "fields are called what they are")]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Report {
-    /// A trunk ended, where or why not; its checkpoint stays where it is.
+    /// A trunk ended, or failed. Its checkpoint stays where it is.
     TrunkDone { trunk: usize, result: Result<Reached, Stopped>, wall_time_s: f64 },
-    /// A case ended; its processor time is there where the system tells it.
+    /// A case ended. Its processor time is there if the system provides it.
     CaseDone {
         case: usize,
         result: Result<Delivery, Stopped>,
@@ -98,7 +101,7 @@ pub enum Report {
 }
 
 impl Report {
-    /// What has ended.
+    /// The work that has ended.
     pub fn work(&self) -> Option<Work> {
         match *self {
             Report::TrunkDone { trunk, .. } => Some(Work::Trunk(trunk)),

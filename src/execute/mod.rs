@@ -1,13 +1,13 @@
-//! Doing the work: [`coordinate`] ties the scheduler, the workers and the journal together.
+//! Runs the work: [`coordinate`] connects the scheduler, the workers and the journal.
 //!
 //! An executor carries commands to workers and their reports back:
 //!
 //! - `threads`: one process, one case per thread;
 //! - `mpi`: many processes; rank 0 coordinates and computes;
-//! - `mpi_disabled`: stands in for `mpi` in a build without it.
+//! - `mpi_disabled`: replaces `mpi` in a build without it.
 //!
-//! An executor gathers a [`Crew`] and hands it to a function that runs on rank 0 only. What a
-//! single process does with its tasks is the same everywhere and lives in `worker`.
+//! An executor gathers a [`Crew`] and passes it to a function that runs on rank 0 only. How a
+//! single process does its tasks is the same for all executors: see `worker`.
 
 pub mod apart;
 mod coordinate;
@@ -55,8 +55,8 @@ pub use sph_runner::SphRunner;
 /// Makes the runner once the instruction set and a case's threads are known.
 pub type MakeRunner<'a> = &'a (dyn Fn(Resources) -> Box<dyn Runner> + Sync);
 
-/// Where there are fewer runs than threads, each takes as many threads as are left for it once the
-/// runs are spread over the ranks.
+/// If there are fewer runs than threads, each run gets the threads that are left when the runs are
+/// spread over the ranks.
 fn share_threads(ranks: &mut [RankInfo], runs: usize) {
     let all: usize = ranks.iter().map(|rank| rank.threads).sum();
     let runs_per_rank = runs.div_ceil(ranks.len().max(1)).max(1);
@@ -66,7 +66,7 @@ fn share_threads(ranks: &mut [RankInfo], runs: usize) {
     }
 }
 
-/// Workers that have gathered and wait for the start.
+/// Workers that wait for the start.
 pub trait Crew {
     /// The name of the executor, for provenance.
     fn executor(&self) -> &'static str;
@@ -74,14 +74,14 @@ pub trait Crew {
     /// The ranks.
     fn ranks(&self) -> &[RankInfo];
 
-    /// Lets the threads that so few runs would leave idle share the work of each.
+    /// Lets idle threads share the work of each run, if there are only this many runs.
     fn share_threads(&mut self, runs: usize);
 
-    /// The widest instruction set that every rank has.
+    /// The widest instruction set that all ranks have.
     fn widest_simd(&self) -> SimdPath;
 
-    /// Starts the workers, hands the link to them to `lead`, and stops them when it returns. They write the
-    /// files of cases into `out`, which is open and has its manifest, where they see it.
+    /// Starts the workers, passes their link to `lead`, and stops them when it returns. If they can
+    /// see `out`, they write the files of cases there. It must be open and have its manifest.
     fn work(
         &mut self,
         simd: SimdPath,
@@ -98,27 +98,27 @@ pub trait Link {
     /// The next report, and the rank it comes from; `None` after the given time without one.
     fn poll(&mut self, patience: Duration) -> Result<Option<(usize, Report)>, SweepError>;
 
-    /// What all ranks are at, as far as they have said, and how far each piece is on the way from rest to the end of
-    /// its case.
+    /// The present work of all ranks as last reported, with its progress on the way from rest to
+    /// the end of its case.
     fn under_way(&self) -> Vec<(Work, f64)> {
         Vec::new()
     }
 }
 
-/// What an executor needs besides a crew's leader.
+/// The inputs of an executor, besides the function for rank 0.
 #[derive(Clone, Copy)]
 pub struct Setup<'a> {
     /// Makes each rank's runner.
     pub make_runner: MakeRunner<'a>,
     /// Threads per rank; by default the node's cores shared among its ranks.
     pub threads: Option<usize>,
-    /// The signals of this process.
+    /// The stop requests of this process.
     pub interrupt: &'a Interrupt,
-    /// A rank that is silent for longer than this is named.
+    /// A rank that is silent for longer than this is reported.
     pub patience: Duration,
 }
 
-/// What each case on a rank may use.
+/// The resources of each case on a rank.
 fn resources(rank: &RankInfo, simd: SimdPath) -> Resources {
     Resources { simd, threads: rank.threads_per_case }
 }

@@ -1,4 +1,4 @@
-//! Stands in for the `mpi` executor in a build without the feature of that name.
+//! Replaces the `mpi` executor in a build without the feature of that name.
 
 use super::{Crew, Setup};
 use crate::results::SweepError;

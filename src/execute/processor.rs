@@ -1,14 +1,14 @@
-//! What the processor of a rank can do, or is to be taken to.
+//! The instruction set of a rank's processor, or the limit that is set for it.
 
 use crate::math::simd::SimdPath;
 
-/// Lowers the instruction set of a process, as if its processor were an older one.
+/// Lowers the instruction set of a process, as if its processor were older.
 const LIMIT: &str = "SEAWALL_SIMD_LIMIT";
 
 /// The widest instruction set of this process.
 ///
 /// # Errors
-/// The environment names a limit that is none.
+/// The limit in the environment is unknown.
 pub fn widest_simd() -> Result<SimdPath, String> {
     limited(SimdPath::widest(), std::env::var_os(LIMIT).map(|it| it.to_string_lossy().into_owned()))
 }

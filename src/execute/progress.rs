@@ -1,4 +1,4 @@
-//! Telling how far a sweep is: a bar on a terminal, plain lines elsewhere.
+//! Progress of a sweep: a bar on a terminal, plain lines elsewhere.
 
 use std::io::Write;
 use std::time::{Duration, Instant};
@@ -10,17 +10,17 @@ use crate::math::words::counted;
 /// How progress is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ProgressStyle {
-    /// Not at all.
+    /// No progress.
     Quiet,
     /// A bar with the time to go.
     Bar,
-    /// A line now and then.
+    /// A line from time to time.
     Lines,
 }
 
 /// At most one line in this time.
 const LINE_EVERY: Duration = Duration::from_secs(2);
-/// And only after so much more of the work.
+/// And only after this share more of the work.
 const LINE_SHARE: f64 = 0.05;
 /// Places of a bar.
 const LENGTH: u64 = 1_000_000;
@@ -33,7 +33,7 @@ pub struct Progress {
     start: Instant,
     last_line: Instant,
     last_share: f64,
-    /// Particle-steps done, at most so far.
+    /// Particle-steps done, the largest value so far.
     done: f64,
     /// Particle-steps left.
     left: f64,
@@ -44,7 +44,7 @@ pub struct Progress {
     failed: usize,
 }
 
-/// How many of how many are done, from the start of the sweep on.
+/// Number done and number of all, from the start of the sweep.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Tally {
     /// All there are.
@@ -54,7 +54,7 @@ pub struct Tally {
 }
 
 impl Progress {
-    /// Progress of cases and companions of which some are done.
+    /// Progress of cases and companions, some of which may be done.
     pub fn new(style: ProgressStyle, [cases, companions]: [Tally; 2]) -> Progress {
         let bar = (style == ProgressStyle::Bar).then(bar);
         let now = Instant::now();
@@ -84,8 +84,9 @@ impl Progress {
         self.companions.done += 1;
     }
 
-    /// So many particle-steps are done now, and so many are left. How many there are is an estimate that changes on the
-    /// way. What is shown never goes back: from where it is it goes on to its end as the work does.
+    /// Sets the particle-steps that are done and left. Their number is an estimate that changes on
+    /// the way. The bar never goes back: from its present place it goes to its end as the work
+    /// does.
     pub fn reached(&mut self, [done, left]: [f64; 2]) {
         let more = done - self.done;
         if more > 0.0 {
@@ -96,7 +97,7 @@ impl Progress {
         self.show();
     }
 
-    /// Where it is: `12 of 300 cases, 5 of 300 companions, 1 failed`.
+    /// The numbers: `12 of 300 cases, 5 of 300 companions, 1 failed`.
     fn message(&self) -> String {
         let mut message = format!("{} of {}", self.cases.done, counted(self.cases.all, "case"));
         if self.companions.all > 0 {
@@ -122,7 +123,7 @@ impl Progress {
             self.last_share = share;
             let left = duration(self.start.elapsed().as_secs_f64() * self.left / self.done);
             let line = format!("{:3.0} %  {}, {left} to go", 100.0 * share, self.message());
-            // Progress that nobody reads must not end a sweep.
+            // If progress cannot be written, the sweep must still go on.
             let _ = writeln!(std::io::stderr(), "{line}");
         }
     }
@@ -147,7 +148,7 @@ impl Drop for Progress {
     }
 }
 
-/// Seconds for the human eye: `42 s`, `3 min 20 s`, `2 h 05 min`, `3.5 days`, `12 years`.
+/// A time for people: `42 s`, `3 min 20 s`, `2 h 05 min`, `3.5 days`, `12 years`.
 pub fn duration(seconds: f64) -> String {
     const DAY: u64 = 24 * 3600;
     const YEAR: u64 = 365 * DAY;
@@ -165,7 +166,7 @@ pub fn duration(seconds: f64) -> String {
 mod tests {
     use super::*;
 
-    /// The story: the bar stood at its end while more than half of the work was to come.
+    /// The bar once stood at its end while more than half of the work was left.
     #[test]
     fn what_is_shown_goes_on_as_the_work_does_when_there_is_more_than_was_thought() {
         let mut progress = Progress::new(ProgressStyle::Quiet, Default::default());

@@ -1,7 +1,8 @@
-//! How much of a plan is done and how much is left, in particle-steps.
+//! The work of a plan that is done and left, in particle-steps.
 //!
-//! Where a trunk ends is known once it is there. Until then its estimate stands. A trunk that has gone farther leaves
-//! its branches less to do, and one that ends sooner leaves them more: the sum of all work changes on the way.
+//! The end of a trunk is only known when it is reached; until then it is an estimate. A longer
+//! trunk leaves its branches less work, and a shorter one leaves them more. So the sum of all work
+//! changes on the way.
 
 use std::collections::HashMap;
 
@@ -13,27 +14,27 @@ use crate::study::Plan;
 pub(super) struct Reckoning<'a> {
     plan: &'a Plan,
     trunks: Vec<Stretch>,
-    /// Which cases are over.
+    /// Which cases have ended.
     over: Vec<bool>,
     done: i128,
     left: i128,
-    /// What is done of the pieces that are being worked on, and the sum of it.
+    /// The work done in pieces that are not yet finished, and its sum.
     under_way: HashMap<Work, i128>,
     sum: i128,
 }
 
-/// A trunk on its way.
+/// A trunk that may still run.
 #[derive(Debug)]
 struct Stretch {
-    /// Particle-steps to its end, as far as that is known.
+    /// Particle-steps to its end, as far as known.
     reach: i128,
     is_over: bool,
-    /// Branches that are not over.
+    /// Number of branches that have not ended.
     branches: i128,
 }
 
 impl Reckoning<'_> {
-    /// All of a plan is left.
+    /// All work of a plan is left.
     pub fn new(plan: &Plan) -> Reckoning<'_> {
         let trunks = plan.trunks.iter().map(|trunk| Stretch {
             reach: trunk.cost.into(),
@@ -54,15 +55,15 @@ impl Reckoning<'_> {
         }
     }
 
-    /// A trunk has ended, at this share of the way to the end of its cases; `None` where it failed, and they run from
-    /// rest.
+    /// A trunk has ended at this share of the way to the end of its cases. `None` if it failed, so
+    /// that they run from rest.
     pub fn trunk(&mut self, trunk: usize, share: Option<f64>) {
         self.aim(trunk, share.map_or(0, |share| part(share, self.whole(trunk))));
         self.trunks[trunk].is_over = true;
         self.count(Work::Trunk(trunk), self.trunks[trunk].reach);
     }
 
-    /// A case is over.
+    /// A case has ended.
     pub fn case(&mut self, case: usize) {
         let own = i128::from(self.plan.cases[case].cost) - self.reach(case);
         if let Some(trunk) = self.plan.cases[case].trunk {
@@ -72,8 +73,8 @@ impl Reckoning<'_> {
         self.count(Work::Case(case), own);
     }
 
-    /// What is being worked on, and how far each piece is on the way from rest to the end of its case. What ranks have
-    /// said may be late: what is over counts no more.
+    /// The present work, with its progress on the way from rest to the end of its case. Reports of
+    /// ranks may be late: work that has ended does not count again.
     pub fn look(&mut self, pieces: impl IntoIterator<Item = (Work, f64)>) {
         self.under_way.clear();
         for (work, share) in pieces {
@@ -93,26 +94,26 @@ impl Reckoning<'_> {
         self.sum = self.under_way.values().sum();
     }
 
-    /// How much is done, and how much is left.
+    /// The work done, and the work left.
     pub fn told(&self) -> [f64; 2] {
         [self.done + self.sum, (self.left - self.sum).max(0)].map(|cost| cost as f64)
     }
 
-    /// A piece of so much is over.
+    /// A piece of this size has ended.
     fn count(&mut self, work: Work, own: i128) {
         self.done += own;
         self.left -= own;
         self.sum -= self.under_way.remove(&work).unwrap_or(0);
     }
 
-    /// A trunk ends here: each of its branches has so much less to do.
+    /// A trunk ends here, so each of its branches has this much less work.
     fn aim(&mut self, trunk: usize, reach: i128) {
         let stretch = &mut self.trunks[trunk];
         self.left += (reach - stretch.reach) * (1 - stretch.branches);
         stretch.reach = reach;
     }
 
-    /// What a case needs not do, as its trunk does.
+    /// The part of a case that its trunk computes.
     fn reach(&self, case: usize) -> i128 {
         self.plan.cases[case].trunk.map_or(0, |trunk| self.trunks[trunk].reach)
     }
@@ -134,7 +135,8 @@ mod tests {
     use crate::simulation::Cost;
     use crate::study::{Study, SweepFile};
 
-    /// Three branches of one wave, of 1000 particle-steps from rest, and the share that the trunk is thought to take.
+    /// Three branches of one wave, of 1000 particle-steps from rest. `trunk_share` is the expected
+    /// share of the trunk.
     fn plan(trunk_share: f64) -> Plan {
         let text = "name = \"a\"\n[scene]\nwall = \"movable\"\nseawall_mass_kg_per_m = 50\n\
                     [grid]\nspring_stiffness_n_per_m = [1, 2, 3]";
@@ -143,8 +145,8 @@ mod tests {
         Plan::new(&study, true, |_| cost, |_| true)
     }
 
-    /// The story: a run that ends soon after its wall may move was thought to be nearly all trunk. So all seemed done once that
-    /// was, though more than half of the work was to come.
+    /// A run that ends soon after its wall may move was once expected to be nearly all trunk. So
+    /// all seemed done after the trunk, though more than half of the work was left.
     #[test]
     fn a_trunk_that_ends_sooner_leaves_its_branches_more() {
         let plan = plan(0.99);
@@ -171,8 +173,8 @@ mod tests {
         assert_eq!(all.told(), [750.0, 750.0]);
     }
 
-    /// The story: until the next look a trunk that had just ended counted twice. Where it was nearly all of the work, the bar
-    /// stood at its end from then on.
+    /// Until the next report a trunk that had just ended once counted twice. If it was nearly all
+    /// of the work, the bar stood at its end from then on.
     #[test]
     fn what_is_over_is_under_way_no_more() {
         let plan = plan(0.5);

@@ -1,4 +1,4 @@
-//! Who does the work: the contract between the sweep and the physics.
+//! The contract between the sweep and the physics that does its work.
 
 use std::any::Any;
 use std::cell::RefCell;
@@ -8,8 +8,8 @@ use std::sync::Once;
 use crate::scene::CaseConfig;
 use crate::simulation::{CaseResult, Failure, FailureKind, Monitor, Stopped, TrunkResult};
 
-/// Runs trunks and cases; the same answer for the same configuration, whoever asks and from
-/// whatever checkpoint of its trunk.
+/// Runs trunks and cases. The same configuration gives the same answer, from any checkpoint of its
+/// trunk.
 pub trait Runner: Sync {
     /// Runs a trunk to the last step before its branches differ.
     fn trunk(&self, config: &CaseConfig, monitor: &dyn Monitor) -> Result<TrunkResult, Stopped>;
@@ -22,16 +22,16 @@ pub trait Runner: Sync {
         monitor: &dyn Monitor,
     ) -> Result<CaseResult, Stopped>;
 
-    /// The same, each piece of work in a process of its own; `None` where it has none.
+    /// The same with each piece of work in a process of its own; `None` if that is not possible.
     fn apart(&self) -> Option<Box<dyn Runner>> {
         None
     }
 }
 
-/// Does a piece of work and makes a panic in it a failure of that case alone.
+/// Does a piece of work. A panic in it is a failure of that case alone.
 ///
 /// # Errors
-/// The work's own, or an internal failure that carries the panic's message and place.
+/// The work's own, or an internal failure with the message and the place of a panic.
 pub fn guarded<T>(work: impl FnOnce() -> Result<T, Stopped>) -> Result<T, Stopped> {
     catch_panics_quietly();
     let before = GUARD.replace(Some(String::new()));
@@ -48,7 +48,7 @@ thread_local! {
     static GUARD: RefCell<Option<String>> = const { RefCell::new(None) };
 }
 
-/// Panics inside [`guarded`] are recorded rather than printed.
+/// Panics inside [`guarded`] are recorded and not printed.
 fn catch_panics_quietly() {
     static HOOK: Once = Once::new();
     HOOK.call_once(|| {

@@ -1,4 +1,4 @@
-//! One process's work on an output directory, and how it ended.
+//! The work of one process on an output directory, and how it ended.
 
 use super::interrupt::Interrupt;
 use super::progress::Progress;
@@ -11,40 +11,40 @@ use crate::study::{CaseId, Plan, Study};
 pub enum Ending {
     /// Every case is done or has failed.
     Finished,
-    /// The user stopped it; cases are left.
+    /// The user stopped it, and cases are left.
     #[default]
     Interrupted,
 }
 
-/// What a session has done.
+/// The result of a session.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Worked {
     /// How it ended.
     pub ending: Ending,
-    /// What branching has saved.
+    /// The work saved by branching.
     pub savings: Savings,
-    /// How busy each rank was.
+    /// The load of each rank.
     pub load: Load,
 }
 
-/// One process's work on an output directory.
+/// The work of one process on an output directory.
 pub struct Session<'a> {
     /// The study.
     pub study: &'a Study,
-    /// What of it has still to run.
+    /// The work that is left.
     pub plan: &'a Plan,
     /// Where results go.
     pub directory: &'a mut Directory,
-    /// Who works.
+    /// The ranks.
     pub ranks: &'a [RankInfo],
-    /// The user's wish to stop.
+    /// The user's request to stop.
     pub interrupt: &'a Interrupt,
     /// How progress is shown.
     pub progress: Progress,
 }
 
 impl Session<'_> {
-    /// A trunk's id is that of the case whose wall stays fixed.
+    /// A trunk's id is that of the case with a fixed wall.
     pub(super) fn id(&self, work: Work) -> CaseId {
         match work {
             Work::Trunk(trunk) => CaseId::of(&self.plan.trunks[trunk].config),
@@ -52,7 +52,7 @@ impl Session<'_> {
         }
     }
 
-    /// A shared stretch has ended its process: from rest its cases do the same.
+    /// A trunk has ended its process. From rest its cases would do the same.
     pub(super) fn suspect_branches(&mut self, trunk: usize) {
         let cases = self.plan.cases.iter().filter(|case| case.trunk == Some(trunk));
         for id in cases.map(|case| self.study.run(case.index).id) {

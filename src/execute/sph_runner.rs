@@ -1,4 +1,4 @@
-//! The physics, as who does the work.
+//! The physics as a runner.
 
 use super::apart::Apart;
 use super::keeping::Keeping;
@@ -14,11 +14,11 @@ use crate::study::CaseId;
 /// The physics.
 #[derive(Debug, Clone)]
 pub struct SphRunner {
-    /// The instruction set agreed on by all ranks, and a case's threads.
+    /// The instruction set common to all ranks, and a case's threads.
     pub resources: Resources,
-    /// The case that is filmed, and how. Its companions for error bars are not.
+    /// The case to film, and how. Its companions for error bars are not filmed.
     pub film: Option<(CaseId, Filming)>,
-    /// Whether and where checkpoints of long cases are kept; not of those that are filmed.
+    /// Where checkpoints of long cases are stored, if anywhere. Filmed cases have none.
     pub keep: Option<Keeping>,
 }
 

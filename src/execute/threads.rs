@@ -58,7 +58,7 @@ struct Local<'a, 'run, 'scope>(&'a mut Worker<'run, 'scope>);
 impl Link for Local<'_, '_, '_> {
     fn send(&mut self, _rank: usize, order: Order) {
         if let Some(fetch) = self.0.take(order) {
-            // There is nobody to ask: the case runs from rest.
+            // There is no other rank, so the case runs from rest.
             self.0.arrive(fetch.trunk, None);
         }
     }

@@ -1,4 +1,4 @@
-//! What one process does with its orders: cases on a pool of threads, checkpoints at hand.
+//! Runs the orders of one process: cases on a pool of threads, with the checkpoints in memory.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -22,19 +22,19 @@ use crate::study::CaseId;
 struct Task {
     case: usize,
     config: Posted,
-    /// In a process of its own.
+    /// Whether to run in a process of its own.
     apart: bool,
     limits: Limits,
     files: Option<CaseId>,
 }
 
-/// What ended on a thread, on its way to the thread that talks, and the checkpoint it has left.
+/// A report from a worker's thread to the main thread, and the checkpoint that the work has left.
 type Ended = (Report, Option<Vec<u8>>);
 
 pub(super) struct Worker<'run, 'scope> {
     scope: &'run Scope<'scope>,
     runner: &'scope dyn Runner,
-    /// Where cases leave their files; without it results are reported whole.
+    /// Where cases leave their files. Without it whole results are reported.
     filing: Option<&'scope Filing>,
     cancel: &'scope Interrupt,
     gauges: &'scope Gauges,
@@ -45,7 +45,7 @@ pub(super) struct Worker<'run, 'scope> {
     receiver: Receiver<Ended>,
 }
 
-/// Runs `body` with a worker of so many threads; every case has ended when it returns.
+/// Runs `body` with a worker of this many threads. Every case has ended when it returns.
 pub(super) fn with_worker<T>(
     rank: usize,
     threads: usize,
@@ -79,14 +79,14 @@ pub(super) fn with_worker<T>(
 }
 
 impl Drop for Worker<'_, '_> {
-    /// Whatever still runs is of no use to anybody: also where the leader fails or panics.
+    /// The present work is of no use any more, also if the leader fails or panics.
     fn drop(&mut self) {
         self.cancel.raise();
     }
 }
 
 impl Worker<'_, '_> {
-    /// Takes an order; what it returns has to be fetched from another rank and handed to
+    /// Takes an order. A returned checkpoint must be fetched from another rank and given to
     /// [`Worker::arrive`].
     pub(super) fn take(&mut self, order: Order) -> Option<Held> {
         match order {
@@ -113,8 +113,8 @@ impl Worker<'_, '_> {
         self.checkpoints.get(&trunk).cloned()
     }
 
-    /// A checkpoint has come from another rank. Where the other rank had none after all, the
-    /// waiting cases run from rest, to the same end.
+    /// A checkpoint has come from another rank. If the other rank had none, the waiting cases run
+    /// from rest, with the same result.
     pub(super) fn arrive(&mut self, trunk: usize, bytes: Option<Vec<u8>>) {
         let bytes: Option<Arc<[u8]>> = bytes.map(Arc::from);
         if let Some(bytes) = &bytes {
@@ -138,7 +138,8 @@ impl Worker<'_, '_> {
         Some(report)
     }
 
-    /// What is being worked on here, and how far each piece is on the way from rest to the end of its case.
+    /// The present work of this process, with its progress on the way from rest to the end of its
+    /// case.
     pub(super) fn under_way(&self) -> Vec<(Work, f64)> {
         self.gauges.read()
     }
@@ -148,7 +149,7 @@ impl Worker<'_, '_> {
             self.start_case(task, Some(bytes));
             return None;
         }
-        // A checkpoint on its way here counts as held here.
+        // A checkpoint on its way to this rank counts as here.
         if from.holder == self.rank && !self.parked.contains_key(&from.trunk) {
             self.start_case(task, None);
             return None;
@@ -174,7 +175,7 @@ impl Worker<'_, '_> {
                 }
                 Err(stopped) => (Err(stopped), None),
             };
-            // The receiver is gone only when nobody waits for results any more.
+            // The receiver is gone only if nobody waits for results any more.
             let wall_time_s = start.elapsed().as_secs_f64();
             let _ = sender.send((Report::TrunkDone { trunk, result, wall_time_s }, checkpoint));
         });
@@ -185,7 +186,7 @@ impl Worker<'_, '_> {
         let (gauges, filing) = (self.gauges, self.filing);
         self.scope.spawn(move |_| {
             let Task { case, config, apart, limits, files } = task;
-            // Only of a process of its own it can be told what it takes.
+            // The memory of a case is only known in a process of its own.
             let child = runner.apart().filter(|_| apart || limits.memory_mib.is_some());
             let runner = child.as_deref().unwrap_or(runner);
             let (start, cpu_start) = (Instant::now(), thread_processor_time());
@@ -214,7 +215,7 @@ impl Worker<'_, '_> {
     }
 }
 
-/// Runs something guarded against panics, unless it is already too late.
+/// Runs some work guarded against panics, unless it is already too late.
 fn attempt<T>(
     cancel: &Interrupt,
     config: Posted,

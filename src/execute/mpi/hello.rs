@@ -1,4 +1,4 @@
-//! Getting acquainted: what every rank tells rank 0, and how ranks share a node's cores.
+//! The first message of every rank to rank 0, and how ranks share a node's cores.
 
 use std::ffi::OsString;
 
@@ -8,11 +8,11 @@ use crate::execute::{available_cores, host_name, widest_simd};
 use crate::math::simd::SimdPath;
 use crate::results::{Program, RankInfo, checksum_of};
 
-/// What rank 0 has to know of a rank.
+/// The data of a rank for rank 0.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Hello {
     pub(super) build: String,
-    /// Sum over the arguments that it was started with.
+    /// Hash of its command line's arguments.
     pub(super) arguments: String,
     pub(super) host: String,
     pub(super) simd: SimdPath,
@@ -36,13 +36,13 @@ impl Hello {
     }
 }
 
-/// Different where any argument is; their ends count.
+/// A hash that differs if any argument differs, or where one ends.
 fn arguments_sum(arguments: impl Iterator<Item = OsString>) -> String {
     let words: Vec<_> = arguments.flat_map(|word| [word, OsString::from("\0")]).collect();
     checksum_of(words.iter().map(|word| word.as_encoded_bytes()))
 }
 
-/// The first rank that does not belong to rank 0, and why not.
+/// The first rank that does not belong to rank 0's job, and why.
 pub(super) fn stranger(hellos: &[Hello]) -> Option<(usize, String)> {
     let first = hellos.first()?;
     hellos.iter().enumerate().find_map(|(rank, hello)| {
@@ -54,8 +54,8 @@ pub(super) fn stranger(hellos: &[Hello]) -> Option<(usize, String)> {
     })
 }
 
-/// Threads for each rank: by default the processors that it may use, shared with the ranks on the
-/// same node that may use the same ones.
+/// Threads for each rank. By default it is the processors that it may use, shared with the ranks on
+/// the same node that may use the same ones.
 pub(super) fn share_cores(hellos: &[Hello], threads: Option<usize>) -> Vec<RankInfo> {
     let share = |hello: &Hello| {
         let same = |other: &&Hello| other.host == hello.host && other.allowed == hello.allowed;

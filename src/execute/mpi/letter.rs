@@ -1,4 +1,4 @@
-//! A message on its way between ranks, and its memory.
+//! A message in transit between ranks, and its memory.
 
 use std::mem::ManuallyDrop;
 
@@ -7,12 +7,12 @@ use mpi::request::{Request, StaticScope};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::{Communicator, Destination, Equivalence};
 
-/// A message on its way, and the memory that MPI reads it from or writes it to.
+/// A message in transit, and the memory from which MPI reads it or to which MPI writes it.
 pub(super) struct Letter {
-    /// Never dropped: rsmpi panics on that, and an unwinding rank must get to its abort.
+    /// Never dropped: rsmpi would panic, and an unwinding rank must reach its abort.
     request: ManuallyDrop<Request<'static, [u8], StaticScope>>,
     pub(super) bytes: *mut [u8],
-    /// The rank that it goes to; `None` where it comes here.
+    /// The receiving rank; `None` if it comes to this rank.
     pub(super) to: Option<usize>,
 }
 
@@ -36,7 +36,7 @@ impl Letter {
         Letter { request: ManuallyDrop::new(request), bytes, to: None }
     }
 
-    /// What it says once it has arrived; itself while still on its way.
+    /// The content once it has arrived; itself while still in transit.
     pub(super) fn test(self) -> Result<Box<[u8]>, Letter> {
         let (bytes, to) = (self.bytes, self.to);
         match ManuallyDrop::into_inner(self.request).test() {

@@ -1,4 +1,4 @@
-//! What ranks say to each other.
+//! Messages between ranks.
 
 use serde::{Deserialize, Serialize};
 
@@ -8,15 +8,15 @@ use crate::math::simd::SimdPath;
 use crate::results::{Mark, RankInfo};
 use crate::schedule::Work;
 
-/// Everything that ranks say to each other.
+/// All messages between ranks.
 #[derive(Debug, Serialize, Deserialize)]
 pub(super) enum Message {
     Hello(Hello),
     Start(Start),
     Order(Order),
-    /// What has ended since the last time.
+    /// The work that has ended since the last message.
     Reports(Vec<Report>),
-    /// What is being worked on, and the share of it that is done.
+    /// The present work, with the share of it that is done.
     UnderWay(Vec<(Work, f64)>),
     Pull {
         trunk: usize,
@@ -25,16 +25,16 @@ pub(super) enum Message {
         trunk: usize,
         bytes: Option<Vec<u8>>,
     },
-    /// Nothing is left to do for now; rank 0 no longer listens all the time.
+    /// There is no work for now. Rank 0 does not listen all the time any more.
     Rest,
     Finish,
     Bye,
     Leave,
-    /// Still here.
+    /// A sign of life.
     Beat,
 }
 
-/// What a rank has to know before it works.
+/// The data that a rank needs before it works.
 #[derive(Debug, Serialize, Deserialize)]
 pub(super) struct Start {
     pub(super) simd: SimdPath,

@@ -1,16 +1,17 @@
 //! Many processes under an MPI launcher; rank 0 coordinates and computes.
 //!
-//! On every rank the thread that entered here does all the talking and never blocks: it sends
-//! without waiting, looks for messages, and otherwise sleeps until a case on one of the other
-//! threads ends, for half as long as it has been quiet: from 0.05 to 20 ms. Checkpoints go from
-//! rank to rank when the receiver asks.
+//! On every rank the thread that entered here sends and receives all messages, and never blocks. It
+//! sends without waiting and looks for messages. Otherwise it sleeps until a case on one of the
+//! other threads ends. It sleeps for half the time without messages so far, from 0.05 to 20 ms.
+//! Checkpoints go from rank to rank when the receiver asks.
 //!
-//! A session: every rank says Hello; rank 0 sends Start, then orders, then Rest. Start may come again, for the
-//! next round of a study; Finish ends it. A rank then answers Bye once all that it sent has been received, and goes on receiving until Leave, so that
-//! nobody waits for a partner that has gone.
+//! A session: every rank sends Hello; rank 0 sends Start, then orders, then Rest. Start may come
+//! again, for the next round of a study; Finish ends the session. A rank then answers Bye once
+//! everything that it sent has been received. It goes on receiving until Leave, so that nobody
+//! waits for a partner that has gone.
 //!
-//! Whoever looks for mail also lets hear of itself, and names a rank that has been silent for long. A dead
-//! one the launcher notices: it ends the job.
+//! A rank that looks for messages also sends signs of life, and reports a rank that has been silent
+//! for long. The launcher notices a dead rank and ends the job.
 
 mod hello;
 mod letter;
@@ -38,11 +39,11 @@ use crate::results::{Filing, Mark, RankInfo, SweepError};
 /// Whether this build can run under MPI.
 pub const AVAILABLE: bool = true;
 
-/// Joins the other ranks. `lead` runs on rank 0 only and yields its exit code; the other ranks
+/// Joins the other ranks. `lead` runs on rank 0 only and returns its exit code. The other ranks
 /// serve it and return 0.
 ///
 /// # Errors
-/// Where MPI cannot be started; any later error ends the whole job.
+/// MPI cannot be started. Any later error ends the whole job.
 pub fn with_crew(
     setup: &Setup<'_>,
     lead: impl FnOnce(&mut dyn Crew) -> u8,
@@ -55,7 +56,7 @@ pub fn with_crew(
     }
     let world = universe.world();
     let rank = world.rank();
-    // A rank that unwound out of here would leave the others waiting: it ends the job instead.
+    // A rank that unwound from here would leave the others waiting, so it ends the job.
     let ended = catch_unwind(AssertUnwindSafe(|| {
         let post = Post::new(universe.world(), setup.patience);
         if rank == 0 { lead_crew(setup, post, lead) } else { serve(setup, post).map(|()| 0) }
@@ -170,7 +171,7 @@ impl Crew for MpiCrew<'_> {
     }
 }
 
-/// Any rank but 0: one stretch of work after another, until rank 0 has none left.
+/// Any rank but 0: one round of work after another, until rank 0 has none left.
 fn serve(setup: &Setup<'_>, mut post: Post) -> Result<(), SweepError> {
     post.send(0, &Message::Hello(Hello::of_this_process()));
     let mut next = loop {
@@ -198,7 +199,7 @@ fn serve(setup: &Setup<'_>, mut post: Post) -> Result<(), SweepError> {
     leave(&mut post)
 }
 
-/// Waits until everything sent has been received, and until nobody sends any more.
+/// Waits until everything sent has been received, and until no rank sends any more.
 fn leave(post: &mut Post) -> Result<(), SweepError> {
     let mut said_bye = false;
     post.hush();

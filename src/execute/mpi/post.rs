@@ -1,4 +1,4 @@
-//! Mail between ranks: whole messages, sent and received without waiting.
+//! Messages between ranks, sent and received without waiting.
 
 use std::io::Write;
 use std::time::{Duration, Instant};
@@ -11,43 +11,45 @@ use super::letter::Letter;
 use super::pulse::{News, Pulse};
 use crate::results::SweepError;
 
-/// Raised with every change of the messages; leads every message.
+/// Raised with every change of the messages. It is at the start of every message.
 const PROTOCOL: u16 = 6;
-/// MPI counts bytes in a C int; a checkpoint larger than this is not sent, and the case that
-/// wants it runs from rest.
+/// MPI counts bytes in a C int. A larger checkpoint is not sent, and the case that needs it runs
+/// from rest.
 const LARGEST: usize = 1 << 30;
 
-/// How long to leave the mail alone when some has just moved.
+/// Time between looks just after a message has moved.
 const SHORT_NAP: Duration = Duration::from_micros(50);
-/// How long at most while a large one is on its way: MPI moves it piece by piece, some with every look
-/// of both sides.
+/// Longest time between looks while a large message is in transit. MPI moves it in pieces, some at
+/// every look of both sides.
 const LARGE_NAP: Duration = Duration::from_micros(200);
 const LARGE: usize = 100_000;
-/// How long at most while another is on its way: whoever it is for may have other things to do first.
+/// Longest time between looks while another message is in transit. Its receiver may be busy.
 const LETTER_NAP: Duration = Duration::from_millis(1);
-/// How long at most otherwise: every look takes its 30 microseconds from the case that runs on this core.
+/// Longest time between looks otherwise. Every look takes 30 microseconds from the case on this
+/// core.
 const LONG_NAP: Duration = Duration::from_millis(20);
-/// A nap lasts the silence so far over this: a wait is lengthened by half at the most.
+/// The time between looks is the silence so far over this. So a wait is at most half longer.
 const NAP_OF_SILENCE: u32 = 2;
 
 pub(super) struct Post {
     world: SimpleCommunicator,
     outgoing: Vec<Letter>,
-    /// From a rank. No other is taken before it is here, so that messages stay in order.
+    /// The message that is arriving from a rank. No other is received before it, so that messages
+    /// stay in order.
     incoming: Option<(usize, Letter)>,
-    /// When something was last sent, or seen to arrive or to have left.
+    /// When something was last sent, or was seen to arrive or to leave.
     moved: Instant,
     pulse: Pulse,
-    /// The machine of each rank, once it is known.
+    /// The machine of each rank, once known.
     hosts: Vec<String>,
-    /// Whether rank 0 is expected to listen now: while it opens files and draws, it does not.
+    /// Whether rank 0 should be listening now. It does not while it opens files and draws.
     expects_rank_zero: bool,
-    /// Whether this rank says no more by itself.
+    /// Whether this rank sends no more signs of life.
     hushed: bool,
 }
 
 impl Post {
-    /// The mail of this rank; who is silent for longer than `patience` is named.
+    /// The messages of this rank. A rank that is silent for longer than `patience` is reported.
     pub(super) fn new(world: SimpleCommunicator, patience: Duration) -> Post {
         let now = Instant::now();
         let pulse = Pulse::new(world.size() as usize, patience, now);
@@ -56,12 +58,12 @@ impl Post {
         Post { world, outgoing, incoming, moved: now, pulse, hosts, expects_rank_zero, hushed }
     }
 
-    /// The machine of each rank.
+    /// Sets the machine of each rank.
     pub(super) fn introduce(&mut self, hosts: Vec<String>) {
         self.hosts = hosts;
     }
 
-    /// Whether silence of rank 0 is worth a word from now on.
+    /// Whether silence of rank 0 is reported from now on.
     pub(super) fn expect_rank_zero(&mut self, expected: bool) {
         self.expects_rank_zero = expected;
     }
@@ -91,19 +93,19 @@ impl Post {
         self.send(to, &Message::Checkpoint { trunk, bytes });
     }
 
-    /// Says no more by itself: nobody may be there to hear it.
+    /// Sends no more signs of life, because nobody may be there to receive them.
     pub(super) fn hush(&mut self) {
         self.hushed = true;
         self.expects_rank_zero = false;
     }
 
-    /// A rank has said that it will say no more.
+    /// A rank has announced that it sends no more.
     pub(super) fn forget(&mut self, rank: usize) {
         self.pulse.leave(rank);
     }
 
-    /// The next message, if one is here; also moves others on, lets hear of this rank, and names those that
-    /// are silent.
+    /// The next message, if one is here. It also moves others on, sends signs of life, and reports
+    /// silent ranks.
     pub(super) fn receive(&mut self) -> Result<Option<(usize, Message)>, SweepError> {
         loop {
             let received = self.take()?;
@@ -120,8 +122,8 @@ impl Post {
         Ok(None)
     }
 
-    /// Lets hear of this rank where it is time to, and tells who is silent. Where nothing can be said to a
-    /// rank because it does not listen, no more is said.
+    /// Sends a sign of life if it is time, and reports silent ranks. No more are sent to a rank
+    /// that does not receive them.
     fn beat(&mut self) {
         let now = Instant::now();
         let (here, size) = (self.rank(), self.size());
@@ -133,7 +135,7 @@ impl Post {
                 }
             }
         }
-        // One voice is enough for rank 0.
+        // One report is enough for rank 0.
         let watched = match here {
             0 => 1..size,
             1 if self.expects_rank_zero => 0..1,
@@ -159,7 +161,7 @@ impl Post {
             }
             News::Back(rank) => format!("{} is heard again", name(rank)),
         };
-        // A warning that nobody reads must not end a sweep.
+        // If a warning cannot be written, the sweep must still go on.
         let _ = writeln!(std::io::stderr(), "warning: {told}");
     }
 
@@ -199,7 +201,7 @@ impl Post {
         (self.moved.elapsed() / NAP_OF_SILENCE).clamp(SHORT_NAP, longest)
     }
 
-    /// Whether everything sent has left; forgets what has.
+    /// Whether everything sent has left. Forgets messages that have.
     pub(super) fn is_delivered(&mut self) -> bool {
         let before = self.outgoing.len();
         let outgoing = std::mem::take(&mut self.outgoing);

@@ -1,51 +1,53 @@
-//! Who is alive: every rank lets hear of itself now and then, and one that is silent for long is named.
+//! Signs of life: every rank sends one from time to time, and one that is silent for long is
+//! reported.
 
 use std::time::{Duration, Instant};
 
-/// A rank is to be heard so many times in the time after which its silence is told.
+/// Number of signs of life within the time after which silence is reported.
 const BEATS: u32 = 4;
 
-/// What is to be told of a rank.
+/// A report on a rank.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum News {
-    /// It has been silent for so long.
+    /// It has been silent for this long.
     Silent(usize, Duration),
-    /// It is heard again.
+    /// It has been heard again.
     Back(usize),
 }
 
-/// When each rank was heard last.
+/// When each rank was last heard.
 #[derive(Debug)]
 pub(super) struct Pulse {
     patience: Duration,
     heard: Vec<Instant>,
-    /// Whether it was told that a rank is silent.
+    /// Whether the silence of a rank was reported.
     told: Vec<bool>,
-    /// Ranks that have said that they will say no more.
+    /// Ranks that have announced that they send no more.
     gone: Vec<bool>,
     spoke: Instant,
     looked: Instant,
 }
 
 impl Pulse {
-    /// Of so many ranks, all of them alive now. Who is silent for longer than `patience` is told.
+    /// For this many ranks, all alive now. A rank that is silent for longer than `patience` is
+    /// reported.
     pub(super) fn new(ranks: usize, patience: Duration, now: Instant) -> Pulse {
         let (heard, told, gone) = (vec![now; ranks], vec![false; ranks], vec![false; ranks]);
         Pulse { patience, heard, told, gone, spoke: now, looked: now }
     }
 
-    /// A rank will say no more.
+    /// A rank sends no more.
     pub(super) fn leave(&mut self, rank: usize) {
         self.gone[rank] = true;
     }
 
-    /// A rank was heard, be it for the last time; news where it was told that it is silent.
+    /// A rank was heard, perhaps for the last time. Returns a report if its silence was reported.
     pub(super) fn hear(&mut self, rank: usize, now: Instant) -> Option<News> {
         self.heard[rank] = now;
         std::mem::take(&mut self.told[rank]).then_some(News::Back(rank))
     }
 
-    /// Whether it is time to let hear of oneself; true once each time.
+    /// Whether it is time for a sign of life; true once each time.
     pub(super) fn is_due(&mut self, now: Instant) -> bool {
         let due = now.duration_since(self.spoke) >= self.patience / BEATS;
         if due {
@@ -54,8 +56,8 @@ impl Pulse {
         due
     }
 
-    /// Who of these ranks is silent and was not told of yet. Nobody was listened to while this process
-    /// itself stood still or was at something else: silence counts from there on.
+    /// The ranks among these that are silent and not yet reported. While this process itself was
+    /// stopped or busy, it heard nobody. So silence only counts from after that.
     pub(super) fn look(&mut self, ranks: impl Iterator<Item = usize>, now: Instant) -> Vec<News> {
         let away = now.duration_since(self.looked);
         self.looked = now;

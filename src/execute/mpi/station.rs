@@ -1,4 +1,4 @@
-//! A rank at work: it takes orders and passes on reports and checkpoints.
+//! A rank at work: it takes orders, and passes reports and checkpoints on.
 
 use std::collections::{HashMap, VecDeque};
 use std::time::{Duration, Instant};
@@ -10,7 +10,7 @@ use crate::execute::{Link, Order, Report, Setup};
 use crate::results::SweepError;
 use crate::schedule::{Held, Work};
 
-/// A rank at work: its mail and its worker.
+/// A rank at work: its messages and its worker.
 pub(super) struct Station<'a, 'run, 'scope> {
     pub(super) post: &'a mut Post,
     pub(super) worker: &'a mut Worker<'run, 'scope>,
@@ -23,7 +23,7 @@ impl Station<'_, '_, '_> {
         }
     }
 
-    /// Deals with a message between equals; hands back what only some ranks understand.
+    /// Handles a message that all ranks understand. Returns others.
     fn handle(&mut self, from: usize, message: Message) -> Option<Message> {
         match message {
             Message::Pull { trunk } => {
@@ -40,17 +40,17 @@ impl Station<'_, '_, '_> {
     }
 }
 
-/// Rank 0 at work, to whom the others report.
+/// Rank 0 at work, to which the others report.
 pub(super) struct RankZero<'a, 'run, 'scope> {
     pub(super) station: Station<'a, 'run, 'scope>,
-    /// What others have reported and nobody has taken.
+    /// Reports of others that were not taken yet.
     pub(super) reports: VecDeque<(usize, Report)>,
-    /// What each of the others was at when it last said so.
+    /// The present work of the others, as last reported.
     pub(super) elsewhere: HashMap<usize, Vec<(Work, f64)>>,
 }
 
 impl RankZero<'_, '_, '_> {
-    /// Reports have come from another rank: it is no longer at what has ended.
+    /// Reports have come from another rank. Work that has ended is no longer its present work.
     fn note(&mut self, rank: usize, reports: Vec<Report>) {
         if let Some(pieces) = self.elsewhere.get_mut(&rank) {
             let ended: Vec<_> = reports.iter().filter_map(Report::work).collect();
@@ -103,15 +103,15 @@ impl Link for RankZero<'_, '_, '_> {
     }
 }
 
-/// A rank says this often how far it is.
+/// A rank reports its progress at this interval.
 const SAID_EVERY: Duration = Duration::from_secs(1);
-/// But all ranks together say so little in a second.
+/// But all ranks together send at most this many in a second.
 const SAID_A_SECOND: u32 = 200;
 
-/// So many reports go in one message at most.
+/// Largest number of reports in one message.
 const MANY: usize = 100;
 
-/// What any rank but 0 does until it is told to finish, or to start anew: with what it then gets.
+/// The work of any rank but 0, until it must finish or start again. Returns the new start.
 pub(super) fn work(
     setup: &Setup<'_>,
     mut station: Station<'_, '_, '_>,

@@ -22,8 +22,9 @@ impl Runner for Noting {
     }
 }
 
-/// Two branches of a trunk of rank 0 on rank 1, the second ordered before the checkpoint is there,
-/// when the coordinator takes rank 1 for a holder. Returns what the branches start from.
+/// Two branches of a trunk of rank 0 on rank 1. The second is ordered before the checkpoint is
+/// there, when the coordinator already takes rank 1 for a holder. Returns the starts of the
+/// branches.
 fn starts(answer: Option<Vec<u8>>) -> Vec<Option<Vec<u8>>> {
     let noting = Noting::default();
     with_worker(1, 1, &noting, None, |worker| {
@@ -52,6 +53,6 @@ fn starts(answer: Option<Vec<u8>>) -> Vec<Option<Vec<u8>>> {
 fn branches_wait_for_a_checkpoint_that_is_on_its_way() {
     let bytes = vec![1, 2, 3];
     assert_eq!(starts(Some(bytes.clone())), [Some(bytes.clone()), Some(bytes)]);
-    // The other rank had none: from rest.
+    // The other rank had none, so they start from rest.
     assert_eq!(starts(None), [None, None]);
 }
