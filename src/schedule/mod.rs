@@ -1,15 +1,15 @@
 //! The scheduler: a pure state machine, events in and commands out, without clocks or files.
 //!
-//! - A task's priority is its longest remaining chain: a trunk counts with its dearest branch, so
-//!   trunks start early and branches of a finished trunk run beside other trunks.
-//! - A rank takes a branch of a trunk whose checkpoint it holds. Towards the end of the sweep it takes
-//!   one from elsewhere if that is clearly dearer: the dearest go first, so that all ranks end
-//!   together. Checkpoints are dropped when their last branch is done. A case whose trunk failed
-//!   runs from rest instead.
-//! - The number of trunks open at once is bounded by the number of places where work can run.
-//! - Each rank gets one task beyond its capacity while there is more than enough for everybody.
+//! - A task's priority is its longest remaining chain. For a trunk it includes the most expensive
+//!   branch. So trunks start early, and branches of a finished trunk run beside other trunks.
+//! - A rank takes a branch of a trunk whose checkpoint it holds. Near the end of the sweep it takes
+//!   one of another trunk if that is clearly more expensive. The most expensive go first, so that
+//!   all ranks end together. Checkpoints are dropped when their last branch is done. A case whose
+//!   trunk failed runs from rest.
+//! - The number of trunks that are open at once is at most the number of places where work can run.
+//! - Each rank gets one task more than it can run, as long as there is more than enough for all.
 //!
-//! Every event costs the logarithm of the number of tasks.
+//! Every event costs time in proportion to the logarithm of the number of tasks.
 
 mod protocol;
 mod queue;
@@ -26,11 +26,11 @@ use queue::{Queue, Ranked};
 use ranks::Ranks;
 use trunk::{Phase, Trunk};
 
-/// A branch elsewhere is worth another copy of a checkpoint where it is dearer by more than this
-/// part of its cost: neighbouring wave heights of the study differ by two percent or so.
+/// A branch elsewhere is worth another copy of a checkpoint if it costs more by this fraction.
+/// Neighbouring wave heights of the study differ by some two percent.
 const CLEARLY_DEARER: u64 = 64;
-/// The end of a sweep begins with so many cases left per place: enough for such differences to be
-/// evened out, and few enough for the copies.
+/// A sweep is near its end with this many cases left per place. They are enough to even such
+/// differences out, and few enough for the copies.
 const NEAR_THE_END: usize = 32;
 
 /// Decides what runs where and when.
@@ -43,7 +43,8 @@ pub struct Manager {
     waiting: Queue,
     /// Cases that run from rest.
     solo: Queue,
-    /// Trunks with a checkpoint and pending branches, by their dearest one when last looked at.
+    /// Trunks with a checkpoint and pending branches, by the most expensive branch when last
+    /// checked.
     held: Queue,
     /// Pending branches of the trunks in `held`.
     held_branches: usize,
@@ -53,7 +54,7 @@ pub struct Manager {
 }
 
 impl Manager {
-    /// A manager for a plan and for ranks that each run so many tasks at once.
+    /// A manager for a plan, and for ranks with these numbers of tasks at once.
     pub fn new(plan: &Plan, capacities: &[usize]) -> Manager {
         let branch = |&case: &usize| Ranked::new(plan.cases[case].branch_cost, case);
         let trunk =
@@ -122,7 +123,7 @@ impl Manager {
         }
     }
 
-    /// Gives work out: first to the rank that asked, then to whoever has a free place.
+    /// Gives work out: first to the rank that asked, then to any rank with a free place.
     fn dispatch(&mut self, first: Option<usize>, commands: &mut Vec<Command>) {
         if let Some(rank) = first {
             while self.ranks.has_room(rank, 0) && self.assign(rank, commands) {}
@@ -139,7 +140,7 @@ impl Manager {
         }
     }
 
-    /// Hands the best task to a rank; false where there is none.
+    /// Gives the best task to a rank; false if there is none.
     fn assign(&mut self, rank: usize, commands: &mut Vec<Command>) -> bool {
         let may_open = self.open <= self.ranks.capacity() + self.ranks.len();
         let trunk = self.waiting.peek().copied().filter(|_| may_open);
@@ -181,7 +182,7 @@ impl Manager {
         commands.push(Command::Run { rank, work, from });
     }
 
-    /// A trunk's checkpoint is there: its branches may run.
+    /// A trunk's checkpoint is there, so its branches may run.
     fn hold(&mut self, rank: usize, trunk: usize) {
         let state = &mut self.trunks[trunk];
         state.phase = Phase::Held;
@@ -194,7 +195,7 @@ impl Manager {
         }
     }
 
-    /// A trunk failed: its cases run from rest, each to its own end.
+    /// A trunk failed, so its cases run from rest.
     fn give_up(&mut self, trunk: usize) {
         let state = &mut self.trunks[trunk];
         state.phase = Phase::Closed;
@@ -205,7 +206,7 @@ impl Manager {
         }
     }
 
-    /// One case less; the last branch closes its trunk.
+    /// A case has ended. The last branch closes its trunk.
     fn count(&mut self, case: usize, commands: &mut Vec<Command>) {
         self.unfinished -= 1;
         let Some(trunk) = self.cases[case].trunk else { return };
@@ -227,8 +228,8 @@ impl Manager {
     }
 }
 
-/// The held trunk with the dearest pending branch. Entries are put right when they come to the
-/// top: a trunk's dearest branch only gets cheaper.
+/// The held trunk with the most expensive pending branch. Entries are corrected when they come to
+/// the top, because a trunk's most expensive branch can only become cheaper.
 fn top_held(queue: &mut Queue, trunks: &[Trunk]) -> Option<Ranked> {
     while let Some(entry) = queue.peek().copied() {
         let trunk = &trunks[entry.place()];

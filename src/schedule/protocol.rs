@@ -1,4 +1,4 @@
-//! What the manager is told, and what it tells.
+//! The events and commands of the manager.
 
 use serde::{Deserialize, Serialize};
 
@@ -11,7 +11,7 @@ pub enum Work {
     Case(usize),
 }
 
-/// What happened.
+/// An event.
 #[expect(missing_docs, reason = "fields are called what they are")]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Event {
@@ -19,13 +19,13 @@ pub enum Event {
     Ready { rank: usize },
     /// A trunk ended, or a case ended and is recorded. A trunk that is `ok` has left a checkpoint.
     Done { rank: usize, work: Work, ok: bool },
-    /// A rank gave work back because it was told to stop.
+    /// A rank returned work because it had to stop.
     GivenBack { rank: usize, work: Work },
     /// The user wants to stop.
     Interrupted,
 }
 
-/// Where a branch finds its checkpoint.
+/// The place of a branch's checkpoint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Held {
     /// The trunk.
@@ -34,14 +34,14 @@ pub struct Held {
     pub holder: usize,
 }
 
-/// What is to be done.
+/// A command.
 #[expect(missing_docs, reason = "fields are called what they are")]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Command {
-    /// Do a piece of work; a case starts from the checkpoint, or from rest where there is none.
+    /// Do a piece of work. A case starts from the checkpoint, or from rest without one.
     Run { rank: usize, work: Work, from: Option<Held> },
     /// Forget a checkpoint.
     Drop { rank: usize, trunk: usize },
-    /// Stop all that runs and give it back.
+    /// Stop all running work and return it.
     Cancel,
 }

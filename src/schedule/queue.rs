@@ -1,4 +1,4 @@
-//! A priority queue of places in the plan, the dearest first, then in grid order.
+//! A priority queue of indices in the plan: the most expensive first, then in grid order.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;

@@ -1,4 +1,4 @@
-//! Who is there, and what each has to do.
+//! The ranks, and the work of each.
 
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
@@ -8,11 +8,11 @@ use super::queue::{Queue, Ranked};
 
 #[derive(Debug)]
 struct Rank {
-    /// How many tasks it runs at once.
+    /// The number of tasks that it runs at once.
     capacity: usize,
     joined: bool,
     tasks: Vec<Work>,
-    /// Trunks held here, by their dearest pending branch when last looked at.
+    /// Trunks held here, by the most expensive pending branch when last checked.
     local: Queue,
 }
 
@@ -20,14 +20,14 @@ struct Rank {
 #[derive(Debug)]
 pub(super) struct Ranks {
     all: Vec<Rank>,
-    /// Those with free places, the emptiest first.
+    /// Ranks with free places, the emptiest first.
     free: BTreeSet<(Reverse<usize>, usize)>,
     capacity: usize,
     in_flight: usize,
 }
 
 impl Ranks {
-    /// Ranks that are still to join and will each run so many tasks at once.
+    /// Ranks that have not joined yet, with these numbers of tasks at once.
     pub fn new(capacities: &[usize]) -> Ranks {
         let rank = |&capacity: &usize| Rank {
             capacity: capacity.max(1),
@@ -65,7 +65,7 @@ impl Ranks {
         self.free.first().map(|&(_, rank)| rank)
     }
 
-    /// Whether a rank that is there has fewer tasks than it can run, and `more`.
+    /// Whether a rank that has joined has fewer tasks than it can run plus `more`.
     pub fn has_room(&self, rank: usize, more: usize) -> bool {
         let state = &self.all[rank];
         state.joined && state.tasks.len() < state.capacity + more
@@ -87,12 +87,12 @@ impl Ranks {
         self.offer(rank);
     }
 
-    /// A rank holds a trunk's checkpoint, whose dearest pending branch is this.
+    /// A rank holds a trunk's checkpoint. `branch` is its most expensive pending branch.
     pub fn keep(&mut self, rank: usize, branch: Ranked) {
         self.all[rank].local.push(branch);
     }
 
-    /// What a rank keeps.
+    /// The trunks that a rank holds.
     pub fn local(&mut self, rank: usize) -> &mut Queue {
         &mut self.all[rank].local
     }

@@ -1,4 +1,4 @@
-//! How far a trunk is, and what is left of its branches.
+//! The state of a trunk, and its remaining branches.
 
 use std::collections::BTreeSet;
 
@@ -39,7 +39,7 @@ impl Trunk {
         self.cost.saturating_add(self.dearest())
     }
 
-    /// The cost of its dearest pending branch.
+    /// The cost of its most expensive pending branch.
     pub fn dearest(&self) -> u64 {
         self.pending.peek().map_or(0, |branch| branch.priority)
     }

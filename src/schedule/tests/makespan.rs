@@ -1,4 +1,4 @@
-//! How long plans take beside the shortest time that is possible.
+//! The time that plans take, compared with the shortest possible time.
 
 use super::*;
 
@@ -55,6 +55,6 @@ fn dearer_branches_are_shared_so_that_all_ranks_end_together() {
     for trunk in &mut plan.trunks {
         trunk.cost = 80;
     }
-    // One trunk's branches on each rank would take 70 longer.
+    // With one trunk's branches on each rank it would take 70 longer.
     assert_eq!(makespan(&plan, 2), plan.total_cost().div_ceil(2));
 }

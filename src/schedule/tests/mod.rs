@@ -41,7 +41,7 @@ fn plan(trunks: usize, branches: usize, solo: usize, dice: &mut Dice) -> Plan {
     plan
 }
 
-/// Ranks that run what they are told and check that it can be run.
+/// Ranks that do their work, and check that it can be done.
 struct FakeLink {
     running: Vec<(usize, Work)>,
     checkpoints: BTreeSet<(usize, usize)>,
