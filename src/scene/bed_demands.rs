@@ -1,4 +1,4 @@
-//! What a bed before a seawall asks of tank, paddle and wall, and what asks for a bed.
+//! What a bed before a seawall requires of tank, paddle and wall, and settings that require a bed.
 
 use super::numerics::{Numerics, Scheme};
 use super::seawall::{SeawallScene, error};
@@ -8,7 +8,7 @@ use crate::keys::ConfigError;
 use crate::math::decimal::rounded_up;
 
 impl SeawallScene {
-    /// Checks what the bed asks of wall, paddle, water and scheme.
+    /// Checks the bed against wall, paddle, water and scheme.
     pub(super) fn validate_bed(&self, numerics: &Numerics) -> Result<(), ConfigError> {
         let Some(bed) = &self.bed else { return Ok(()) };
         let [end, toe] = bed.end();
@@ -56,7 +56,7 @@ impl SeawallScene {
         Ok(())
     }
 
-    /// Whether still water ends on a bed of less than 44 degrees, and the wall stands dry.
+    /// Whether still water ends on a bed of less than 44 degrees, so that the wall is dry.
     pub(super) fn is_at_beach(&self) -> bool {
         let depth = self.still_water_depth_m;
         self.bed.as_ref().is_some_and(|bed| {
@@ -64,7 +64,7 @@ impl SeawallScene {
         })
     }
 
-    /// Checks what a thickness at which runups are told asks of bed and particles.
+    /// Checks the thickness at which runups are read against bed and particles.
     pub(super) fn validate_runup(&self, numerics: &Numerics) -> Result<(), ConfigError> {
         let Some(thickness) = self.runup_thickness_m else { return Ok(()) };
         let told = |allowed: &str| error("runup_thickness_m", thickness, allowed);

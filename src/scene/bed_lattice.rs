@@ -1,17 +1,18 @@
-//! Where particles stand at the start over a bed that is not level.
+//! The particles at the start over a bed that is not level.
 
 use crate::boundary::{Profile, Stretch};
 
-/// What does not fit a column is spread over so many rows, upwards from the bed. What does not fit before a step is spread
-/// over so many columns.
+/// The rest of a column is spread over this many rows, upwards from the bed. The rest before a step
+/// is spread over this many columns.
 const SPREAD: f64 = 8.0;
 
-/// What is off by less than this share of a column fits.
+/// Smaller differences than this share of a column are ignored.
 const FITS: f64 = 1e-6;
 
-/// Columns of particles in level rows from the still surface down. What is left between the lowest whole
-/// row and the bed, half a row more or less, is spread over the lowest rows of its column. What is left between the last
-/// whole column and the face of an upright step is spread over the columns before it.
+/// Columns of particles in level rows from the still surface down. Between the lowest whole row and
+/// the bed there is a rest of up to half a row, more or less. It is spread over the lowest rows of
+/// its column. The rest between the last whole column and the face of an upright step is spread
+/// over the columns before the step.
 pub(super) struct BedLattice<'a> {
     pub profile: &'a Profile,
     pub columns: usize,
@@ -59,7 +60,7 @@ impl BedLattice<'_> {
         below
     }
 
-    /// The upright steps whose faces do not lie between two columns.
+    /// The upright steps whose faces are not between two columns.
     fn steps(&self) -> Vec<Step> {
         let dx = self.spacing[0];
         let upright: Vec<_> = self.profile.stretches().filter(|it| it.along[0] == 0.0).collect();
@@ -86,19 +87,19 @@ impl BedLattice<'_> {
 
 /// The face of a step that lies across a column, metres.
 struct Step {
-    /// Between which two columns it would fit.
+    /// The place between two columns where it would fit.
     between: f64,
-    /// How far it is from there.
+    /// Its distance from there.
     off: f64,
     /// On which side of it the water is.
     water: f64,
     heights: [f64; 2],
-    /// How far what does not fit is spread.
+    /// The length over which the rest is spread.
     span: f64,
 }
 
 impl Step {
-    /// Where a particle before the face goes, and its breadth over that of its column.
+    /// The new x of a particle before the face, and its breadth over that of its column.
     fn fitted(&self, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
         let away = self.water * (x - self.between);
         let before = (0.0..self.span).contains(&away) && y > self.heights[0] && y < self.heights[1];
@@ -124,7 +125,7 @@ mod tests {
         };
         let points = lattice.points();
         let area: f64 = points.iter().map(|point| point[2]).sum();
-        // But for the tip of the wedge, thinner than half a row.
+        // Except for the tip of the wedge, thinner than half a row.
         assert!((area / profile.area_below(0.2) - 1.0).abs() < 2e-3, "{area}");
         for &[x, y, _] in &points {
             assert!(y < 0.2 && y > profile.height(x), "{x} {y}");

@@ -17,7 +17,7 @@ use crate::keys::{ConfigError, Section, Shared};
 pub struct CaseConfig {
     /// What is simulated.
     pub scene: Scene,
-    /// How.
+    /// How it is simulated.
     pub numerics: Shared<Numerics>,
     /// Gauges, from the file's `[[probe]]` tables.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -81,9 +81,8 @@ impl CaseConfig {
         Probe::validate_all(&self.probes, &frame, behind)
     }
 
-    /// The stretch of this case that it shares with all others that differ only in what the wall
-    /// does once it moves: the same case with its wall held fixed. `None` for scenes that do not
-    /// branch.
+    /// The part of this case that it shares with all cases that differ only in the motion of the
+    /// wall: the same case with a fixed wall. `None` for scenes that do not branch.
     pub fn trunk(&self) -> Option<CaseConfig> {
         let scene = self.scene.seawall()?.held();
         let mut numerics = self.numerics.clone();
@@ -94,8 +93,8 @@ impl CaseConfig {
         Some(CaseConfig { scene: Scene::Seawall(scene), numerics, probes: self.probes.clone() })
     }
 
-    /// The same tank before any wave is made: what decides how its water comes to rest, but for the room that
-    /// the paddle needs.
+    /// The same tank before any wave. It decides how its water comes to rest, except for the room
+    /// that the paddle needs.
     pub fn before_wave(&self) -> CaseConfig {
         let mut config = self.trunk().unwrap_or_else(|| self.without_error_bars());
         if let Scene::Seawall(scene) = &mut config.scene {
@@ -109,7 +108,7 @@ impl CaseConfig {
         config
     }
 
-    /// What decides this case's answer.
+    /// The case without settings that do not affect its answer.
     pub fn without_error_bars(&self) -> CaseConfig {
         let mut config = self.clone();
         if config.numerics.error_bars != ErrorBars::None {
@@ -132,8 +131,8 @@ impl CaseConfig {
         config
     }
 
-    /// The numerics that are not those which its scene has by default with these particles; their
-    /// spacing, where it is not the default one.
+    /// The numerics that differ from the scene's defaults with these particles; also the spacing,
+    /// if it is not the default.
     pub fn numerics_of_its_own(&self) -> Table {
         let mut own = self.numerics.table();
         let named = ["particle_spacing_m", "scheme"];
@@ -149,11 +148,11 @@ impl CaseConfig {
         own
     }
 
-    /// The same case with particles `ratio` times as far apart. Time steps and 1/c0² grow in proportion. So the
-    /// error by sound grows as the spacing does.
+    /// The same case with `ratio` times the particle spacing. Time steps and 1/c0² grow in
+    /// proportion, so that the error by sound grows like the spacing.
     ///
     /// # Errors
-    /// What of the scene that is too coarse for.
+    /// The part of the scene for which that is too coarse.
     pub fn coarsened(&self, ratio: f64) -> Result<CaseConfig, ConfigError> {
         let mut config = self.without_error_bars();
         let depth = self.scene.frame().depth;
@@ -173,7 +172,7 @@ impl CaseConfig {
 
 #[cfg(test)]
 impl CaseConfig {
-    /// A case of these two tables, for tests.
+    /// A case from these two tables, for tests.
     pub(crate) fn of(scene: &str, numerics: &str) -> CaseConfig {
         let [scene, numerics] = [scene, numerics].map(|text| text.parse().unwrap());
         CaseConfig::from_tables(&scene, &numerics).unwrap()

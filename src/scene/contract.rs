@@ -1,4 +1,4 @@
-//! What a scene of every kind must tell: its scales, its water, and how its tank is built.
+//! The contract of scenes of every kind: scales, water, and the building of the tank.
 
 use super::frame::Frame;
 use super::lattice::Lattice;
@@ -7,12 +7,12 @@ use super::tank::Tank;
 use crate::keys::ConfigError;
 use crate::math::simd::SimdPath;
 
-/// What holds the water.
+/// The walls around the water.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Walls {
     /// A bed and two walls that rise from it.
     Tank,
-    /// A box, lid included, that the water fills.
+    /// A box with a lid, full of water.
     Closed,
     /// Nothing.
     None,
@@ -20,17 +20,17 @@ pub enum Walls {
 
 /// A scene of one kind, by its keys.
 pub(super) trait SceneOfKind {
-    /// What its depth is, in words.
+    /// The name of its depth.
     fn depth_name(&self) -> &'static str {
         "still water depth"
     }
 
-    /// What holds its water.
+    /// Its walls.
     fn walls(&self) -> Walls {
         Walls::Tank
     }
 
-    /// Why incompressible SPH cannot take it; none where it can.
+    /// The reason why incompressible SPH cannot run it; none if it can.
     fn not_for_isph(&self) -> Option<&'static str> {
         None
     }
@@ -44,7 +44,7 @@ pub(super) trait SceneOfKind {
         length * depth
     }
 
-    /// Where particles stand at the start. By default they fill the length up to the depth.
+    /// The particles at the start. By default they fill the length up to the depth.
     fn lattice(&self, numerics: &Numerics) -> Lattice {
         Lattice::whole(&self.frame(), numerics, 90.0)
     }
@@ -54,7 +54,7 @@ pub(super) trait SceneOfKind {
         self.lattice(numerics).particles()
     }
 
-    /// Checks what no key can tell alone.
+    /// Checks keys against each other.
     fn validate(&self, _: &Numerics) -> Result<(), ConfigError> {
         Ok(())
     }

@@ -1,4 +1,4 @@
-//! What a crest, and the floor behind it, ask of the rest of the scene.
+//! What a crest, and the floor behind it, require of the rest of the scene.
 
 use super::contract::SceneOfKind;
 use super::crest::{CrestKeys, FloorKeys};
@@ -10,22 +10,22 @@ use crate::boundary::{CrestShape, FloorBehind};
 use crate::keys::{ConfigError, value_of};
 use crate::math::decimal::significant;
 
-/// Still water stands so many spacings below the crest, or it creeps over its edge.
+/// The still water must be this many spacings below the crest, or it would creep over the edge.
 const CLEAR: f64 = 1.5;
 
-/// A bound as one writes it: sums of decimals have a tail of rounding.
+/// A bound as people write it, without the rounding of sums of decimals.
 fn told(bound: f64) -> f64 {
     significant(bound, 9)
 }
 
-/// Whether a length is less than a bound by more than the rounding of sums: the bound that a message tells must
-/// itself be allowed.
+/// Whether a length is less than a bound by more than the rounding of sums. So the bound in a
+/// message is itself allowed.
 fn below(length: f64, bound: f64) -> bool {
     length < bound - 1e-9 * bound.abs()
 }
 
 impl SeawallScene {
-    /// Where the wall ends, if water may go over it.
+    /// The end of the wall, if water may go over it.
     pub(super) fn crest_shape(&self, numerics: &Numerics) -> Option<CrestShape> {
         let crest = self.crest.as_ref()?;
         let height = self.still_water_depth_m + crest.crest_freeboard_m;
@@ -50,14 +50,15 @@ impl SeawallScene {
         Some(floor.basin_level_m.unwrap_or(self.still_water_depth_m))
     }
 
-    /// Where its particles stand, over its floor.
+    /// The lattice of its particles, over its floor.
     pub(super) fn basin_lattice(&self, numerics: &Numerics) -> Option<Lattice> {
         let (level, floor) = (self.basin_level()?, self.floor.as_ref()?);
         let size = [floor.floor_length_m, level - floor.floor_height_m];
         Some(Lattice::new(size, numerics.particle_spacing_m, 90.0))
     }
 
-    /// How far what is behind the wall's face reaches, and its lowest place over the paddle's foot, metres.
+    /// How far the ground behind the wall's face extends, and its lowest place over the paddle's
+    /// foot, metres.
     pub(super) fn behind_m(&self) -> [f64; 2] {
         let crest = self.crest.as_ref().map_or(0.0, |crest| crest.crest_width_m);
         let floor = self.floor.as_ref().map(|floor| (floor.floor_length_m, floor.floor_height_m));
@@ -71,7 +72,8 @@ impl SeawallScene {
         floor.map_or(0.0, |(level, floor)| floor.floor_length_m * (level - floor.floor_height_m))
     }
 
-    /// Speed at which a wave of the scene falls from over the crest on the floor behind it, m/s.
+    /// Speed with which water of the scene's wave falls from above the crest onto the floor behind
+    /// it, m/s.
     pub(super) fn fall_speed(&self) -> f64 {
         let Some((crest, floor)) = self.crest.as_ref().zip(self.floor.as_ref()) else { return 0.0 };
         let top = self.still_water_depth_m * (1.0 + self.wave_height_ratio);
@@ -79,7 +81,7 @@ impl SeawallScene {
         (2.0 * self.gravity_m_per_s2 * fall).sqrt()
     }
 
-    /// Checks what a crest asks of wall, bed and scheme.
+    /// Checks a crest against wall, bed and scheme.
     pub(super) fn validate_crest(&self, numerics: &Numerics) -> Result<(), ConfigError> {
         let Some(CrestKeys { crest_freeboard_m, crest_width_m }) = self.crest else {
             return Ok(());
@@ -191,8 +193,8 @@ mod tests {
         CaseConfig::from_tables(&table(scene), &numerics).map_err(|error| error.to_string())
     }
 
-    /// The story: a floor at 0.02 m was refused with "must be -0.58 to 0.02 m", as 0.2 + 0.02 - 0.2 is less by
-    /// 6e-18.
+    /// A floor at 0.02 m was once refused with "must be -0.58 to 0.02 m", because 0.2 + 0.02 - 0.2
+    /// is less by 6e-18.
     #[test]
     fn a_bound_that_is_told_is_allowed() {
         let wall = |floor: f64| {
@@ -210,7 +212,7 @@ mod tests {
         }
     }
 
-    /// The story: basin_level_m "must be 0.223 to 0.2051 m".
+    /// The message was once: basin_level_m "must be 0.223 to 0.2051 m".
     #[test]
     fn a_floor_without_room_for_water_is_told_as_such() {
         let wall = |floor: f64| {

@@ -44,23 +44,24 @@ section! {
     }
 }
 
-/// Where no end is given, a run lasts this many √(H/g).
+/// Default end of a run, in √(H/g).
 const END: f64 = 8.0;
 
 impl DamBreakScene {
-    /// Whether it goes on when the front has come back from the wall and plunges on the water behind it, or when
-    /// nothing is left of the column.
+    /// Whether it runs on until the front comes back from the wall and plunges onto the water
+    /// behind it, or until nothing is left of the column.
     pub(super) fn plunges(&self) -> bool {
-        // An end that is written out may be rounded.
+        // An end in a file may be rounded.
         self.frame().end_time > 1.001 * self.usual_end() * self.slenderness()
     }
 
-    /// Where no end is given, seconds.
+    /// The default end, seconds.
     fn usual_end(&self) -> f64 {
         END * (self.column_height_m / self.gravity_m_per_s2).sqrt()
     }
 
-    /// A column of less than twice its height has run out so much earlier: a long wave crosses it in L/√(gH).
+    /// A column shorter than twice its height collapses earlier by this factor: a long wave crosses
+    /// it in L/√(gH).
     fn slenderness(&self) -> f64 {
         (0.5 * self.column_length_m / self.column_height_m).min(1.0)
     }

@@ -1,4 +1,4 @@
-//! All declared keys of a case, and where one that stands in the wrong place belongs.
+//! All declared keys of a case, and the right place of a key in the wrong place.
 
 use toml::Table;
 
@@ -50,10 +50,10 @@ pub fn probe_keys() -> Vec<&'static Key> {
     Probe::keys()
 }
 
-/// Where a swept key goes, in a file with this `[scene]`.
+/// The section of a swept key, in a file with this `[scene]`.
 ///
 /// # Errors
-/// A key that no section knows, with the nearest that one of them does; a kind that is none.
+/// A key that no section knows, with the nearest known one; an unknown kind.
 pub fn place_of(key: &str, scene: &Table) -> Result<Place, ConfigError> {
     let kind = Kind::of(scene)?;
     if let Some(place) =
@@ -65,14 +65,15 @@ pub fn place_of(key: &str, scene: &Table) -> Result<Place, ConfigError> {
     Err(unknown(&format!("grid.{key}"), key, kind, &known))
 }
 
-/// Whether a swept key takes whole numbers alone, in a file with this `[scene]`.
+/// Whether a swept key only takes whole numbers, in a file with this `[scene]`.
 pub fn takes_whole(key: &str, scene: &Table) -> bool {
     let scene = Kind::of(scene).map(scene_keys).unwrap_or_default();
     let known = [scene, numerics_keys()].concat();
     known.iter().any(|known| known.name == key && (known.shape)() == Shape::Whole)
 }
 
-/// The errors of all keys that a section of a file with this `[scene]` does not know; none where its kind is none.
+/// The errors of all keys that a section of a file with this `[scene]` does not know. None if the
+/// scene's kind is unknown.
 pub fn unknown_keys(place: Place, scene: &Table, table: &Table) -> Vec<ConfigError> {
     Kind::of(scene).map(|kind| unknown_of(place, kind, table)).unwrap_or_default()
 }
@@ -98,7 +99,8 @@ fn unknown_of(place: Place, kind: Kind, table: &Table) -> Vec<ConfigError> {
     table.keys().filter(unknown_here).map(error).collect()
 }
 
-/// The error of an unknown key: which other kinds of scenes have it, or what is near.
+/// The error of an unknown key. It names other kinds of scenes that have the key, or the nearest
+/// key.
 fn unknown(path: &str, key: &str, kind: Kind, known: &[&Key]) -> ConfigError {
     let others = Kind::ALL.iter().filter(|other| other.has(key));
     let names: Vec<_> = others.map(|other| format!("{:?}", other.name())).collect();

@@ -1,4 +1,4 @@
-//! A scene's water and what holds it, before any scheme.
+//! A scene's water and its walls, before any scheme.
 
 use super::bed_lattice::BedLattice;
 use super::contract::Walls;
@@ -11,7 +11,7 @@ use crate::theory::central_field::CentralField;
 /// Walls rise to this many depths above the bed.
 pub(super) const WALL_HEIGHT: f64 = 4.0;
 
-/// Water and what holds it.
+/// Water and its walls.
 pub(super) struct Filling {
     pub lattice: Lattice,
     /// (x, y, density, mass).
@@ -19,21 +19,21 @@ pub(super) struct Filling {
     /// Density at zero pressure, kg/m³.
     pub surface_density: f64,
     pub wall_angle_deg: f64,
-    /// The bed may run dry.
+    /// Whether the bed may run dry.
     pub dry_bed: bool,
     /// How far the bed goes on behind the right wall, metres.
     pub bed_beyond_wall: f64,
-    /// How far it goes on before the left wall, metres.
+    /// How far it goes on before the paddle, metres.
     pub bed_before_paddle: f64,
     pub walls: Walls,
-    /// At rest, and to start so.
+    /// Whether the water is at rest, and must start so.
     pub balanced: bool,
     /// Velocities at the start, in the order of the points; none for water at rest.
     pub velocities: Vec<[f64; 2]>,
     pub field: Option<CentralField>,
     /// The bed, where it is not level.
     pub profile: Option<Profile>,
-    /// Where the right wall ends, where water may go over it.
+    /// The end of the right wall, if water may go over it.
     pub crest: Option<CrestShape>,
     /// Still water in a basin behind the right wall.
     pub basin: Option<Basin>,
@@ -79,7 +79,7 @@ impl Filling {
         }
     }
 
-    /// The same water under a pressure (Pa) at every place, and as dense as that makes it.
+    /// The same water with a pressure (Pa) at every place, and the density for it.
     pub(super) fn under(
         mut self,
         frame: &Frame,
@@ -95,7 +95,7 @@ impl Filling {
         self
     }
 
-    /// The same, moving: a velocity at every place.
+    /// The same water with a velocity at every place.
     pub(super) fn moving(self, velocity: impl Fn([f64; 2]) -> [f64; 2]) -> Filling {
         let velocities = self.points.iter().map(|&[x, y, ..]| velocity([x, y])).collect();
         Filling { velocities, ..self }

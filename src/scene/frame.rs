@@ -1,38 +1,38 @@
-//! What every scene has: a tank's length, a depth, gravity, water, an end.
+//! The scales of every scene: a tank's length, a depth, gravity, water, an end.
 
 use super::numerics::{Numerics, Scheme};
 use crate::scheme::StateEquation;
 use crate::scheme::wcsph::DensityDiffusion;
 
-/// ν n Δt/R² of explicit viscosity: where Taylor-Green vortices stay stable whatever the kernel and
-/// the support radius R, beside the artificial viscosity. Half as much again, and they do not.
+/// ν n Δt/R² of explicit viscosity. With it Taylor-Green vortices stay stable for any kernel and
+/// support radius R, with artificial viscosity added. With half as much again they do not.
 const VISCOUS_NUMBER: f64 = 1.0 / 128.0;
 
 /// α n c0 Δt/Δx of artificial viscosity, explicit over n steps: from about 2.4 on it is unstable.
 const ARTIFICIAL_NUMBER: f64 = 1.5;
 
-/// δ c0 Δt/R of density diffusion, explicit over a step: waves at walls on springs end early from 0.15 on,
-/// with Wendland C4 from 0.14 on.
+/// δ c0 Δt/R of density diffusion, explicit over a step. Waves at walls on springs end early from
+/// 0.15 on, with Wendland C4 from 0.14 on.
 const DIFFUSION_NUMBER: f64 = 0.12;
 
-/// The speed that scales the viscosity of incompressible SPH, over √(g d), and how fast it takes volumes back:
-/// what sound does in δ-SPH.
+/// The speed that scales the viscosity of incompressible SPH and its correction of volume, over √(g
+/// d). In δ-SPH the speed of sound does so.
 const VISCOUS_SPEED: f64 = 8.0;
 
-/// Support radius, in spacings, from which on steps are as long as the Courant number says: at 3.0
-/// energy grows from a number of 1.7 on, at 4.0 from 2.3 on.
+/// Support radius, in spacings, from which the full Courant number is used. At 3.0 energy grows
+/// from a number of 1.7 on, at 4.0 from 2.3 on.
 const BROAD_SUPPORT: f64 = 3.9;
 
 /// The scales of a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame {
-    /// Between the faces of both end walls at rest, along the bed, metres.
+    /// Distance between the faces of both end walls at rest, along the bed, metres.
     pub length: f64,
-    /// Depth that scales the results: of the still water, or of the column that collapses, metres.
+    /// Depth that scales the results, metres: of the still water, or of the column of a dam break.
     pub depth: f64,
     /// Gravity g, m/s²; 0 for none.
     pub gravity: f64,
-    /// What sound is faster than, m/s; √(g depth) where it is not given.
+    /// Speed that scales the speed of sound, m/s; √(g depth) if it is not given.
     pub speed: Option<f64>,
     /// ρ0, kg/m³.
     pub density: f64,
@@ -43,12 +43,13 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// The square of what sound is faster than, m²/s²: g depth, or that of the scene's own speed.
+    /// The square of the speed that scales the speed of sound, m²/s²: g depth, or from the scene's
+    /// own speed.
     pub fn speed_squared(&self) -> f64 {
         self.speed.map_or(self.gravity * self.depth, |speed| speed * speed)
     }
 
-    /// The history's, and √(h/g), s.
+    /// Interval of the history, and √(h/g), s.
     pub fn intervals(&self) -> (f64, f64) {
         (self.history_interval, self.unit_time())
     }
@@ -58,7 +59,7 @@ impl Frame {
         (self.depth / self.acceleration()).sqrt()
     }
 
-    /// g, or where the scene has a speed of its own, its square over the depth, m/s².
+    /// g; if the scene has its own speed, the square of that over the depth, m/s².
     pub fn acceleration(&self) -> f64 {
         self.speed.map_or(self.gravity, |speed| speed * speed / self.depth)
     }
@@ -68,7 +69,7 @@ impl Frame {
         numerics.sound_speed_ratio * self.speed_squared().sqrt()
     }
 
-    /// Of water with this density at zero pressure, kg/m³.
+    /// The state equation of water with this density at zero pressure, kg/m³.
     pub(super) fn state_equation(
         &self,
         numerics: &Numerics,
@@ -81,16 +82,19 @@ impl Frame {
         }
     }
 
-    /// The speed that scales what incompressible SPH has in common with δ-SPH, m/s.
+    /// The speed that scales viscosity and volume correction in incompressible SPH, m/s.
     pub(super) fn viscous_speed(&self) -> f64 {
         VISCOUS_SPEED * self.speed_squared().sqrt()
     }
 
     /// Time step, seconds.
     ///
-    /// It is bounded by c0 Δt/Δx (of supports narrower than 3.9 Δx by as much less), or Δt/√(Δx/g) where the
-    /// water is incompressible. Viscosity bounds it by α n c0 Δt/Δx and ν n Δt/R². It is explicit over n steps,
-    /// one where the water is incompressible. Density diffusion bounds it by δ c0 Δt/R. The last bound is `time_step_s`.
+    /// These bounds apply:
+    /// - c0 Δt/Δx, reduced for supports narrower than 3.9 Δx; in incompressible water Δt/√(Δx/g);
+    /// - α n c0 Δt/Δx and ν n Δt/R² of viscosity, which is explicit over n steps (one in
+    ///   incompressible water);
+    /// - δ c0 Δt/R of density diffusion;
+    /// - `time_step_s`.
     pub fn time_step(&self, numerics: &Numerics) -> f64 {
         let spacing = numerics.particle_spacing_m;
         let mut bound = match numerics.scheme {
@@ -116,8 +120,8 @@ impl Frame {
     }
 }
 
-/// c0 Δt/Δx, as far as artificial viscosity and density diffusion let it be, and less for narrow supports: the shortest
-/// sound waves that they carry are as much faster.
+/// c0 Δt/Δx as artificial viscosity and density diffusion allow it. It is less for narrow supports,
+/// because the shortest sound waves on them are faster in proportion.
 fn courant_number(numerics: &Numerics) -> f64 {
     let explicit = numerics.artificial_viscosity * f64::from(numerics.acoustic_substeps);
     let breadth = (numerics.support_radius_ratio / BROAD_SUPPORT).min(1.0);
@@ -140,7 +144,8 @@ mod tests {
         config.scene.frame().time_step(&config.numerics)
     }
 
-    /// The story: δ of 0.5 and more, which the file may ask for, ended as density-out-of-bounds or energy-growth.
+    /// δ of 0.5 and more, which a file may have, once ended as density-out-of-bounds or
+    /// energy-growth.
     #[test]
     fn strong_density_diffusion_shortens_the_step() {
         let delta = |value: f64| step(&format!("density_diffusion_coefficient = {value}"));

@@ -1,4 +1,4 @@
-//! What happens in a scene, as far as the numerics that suit it depend on that.
+//! Properties of a scene on which its default numerics depend.
 
 use super::contract::SceneOfKind;
 use super::frame::Frame;
@@ -6,48 +6,49 @@ use super::kind::Scene;
 use super::seawall::SeawallScene;
 use crate::boundary::Profile;
 
-/// H/h above which what a solitary wave throws up an upright wall comes down free of the rest, and closes cavities in
-/// front of the wall.
+/// Above this H/h the water that a solitary wave throws up an upright wall falls freely, and closes
+/// cavities before the wall.
 pub const FALLS_FREE: f64 = 0.7;
 
-/// After so many √(h/g) of stirring, water whose volume is not held has lost some hundredths of a wave's energy by it
-/// (H/h = 0.3, twelve rows).
+/// After this many √(h/g) of stirring, water without volume correction has lost some hundredths of
+/// a wave's energy (H/h = 0.3, twelve rows).
 const SINKS_AFTER: f64 = 70.0;
 
-/// Rise along a stretch of 1:2, and a little more.
+/// Slightly more than the rise per length of a slope of 1:2.
 const STEEP: f64 = 0.46;
 
-/// Rise along a stretch of 1:5, and a little less. Water that is not held there turns in long runs. Still water of
-/// sixteen rows did so over slopes of 1:2 to 1:4. Within a minute energy came from nowhere, or it sank by 1 to 5 %.
+/// Slightly less than the rise per length of a slope of 1:5. Over such slopes water starts to
+/// circulate in long runs. Still water of sixteen rows did so over slopes of 1:2 to 1:4: within a
+/// minute energy came from nowhere, or the water sank by 1 to 5 %.
 const STIRS: f64 = 0.19;
 
-/// A run of more √(h/g) than that is long over slopes under water. The first that ended early, of sixteen rows over slopes of
-/// 1:2, did so after 43.
+/// A longer run, in √(h/g), is long over slopes under water. The first that ended early, with
+/// sixteen rows over slopes of 1:2, did so after 43.
 const STIRS_AFTER: f64 = 30.0;
 
-/// A run of more √(h/g) than that is long before a shore no steeper than 1:2. Still water of ten rows before shores of 1:6 to
-/// 1:20 was stirred until energy came from nowhere, after 820 to 1,260. The waves of the flume of 1995 and of Synolakis are over
-/// before that.
+/// A longer run, in √(h/g), is long before a shore no steeper than 1:2. Still water of ten rows
+/// before shores of 1:6 to 1:20 was stirred until energy came from nowhere, after 820 to 1,260. The
+/// waves of the flume of 1995 and of Synolakis end before that.
 const STIRS_AT_GENTLE_SHORE_AFTER: f64 = 200.0;
 
-/// Rows over the end of a steep face up to which still water there is held. With 0.1 to 1.2 rows it turned in 26 of 57 runs of
-/// 60 s, and with 1.5 to 2.4 in none of 15.
+/// Rows above the end of a steep face below which still water there needs correction. With 0.1 to
+/// 1.2 rows it circulated in 26 of 57 runs of 60 s, with 1.5 to 2.4 in none of 15.
 const LAST_ROW: f64 = 1.5;
 
 impl Scene {
-    /// Whether a crest climbs an upright wall, and strains the lattice of its water there.
+    /// Whether a crest climbs an upright wall, and strains the lattice of the water there.
     pub(super) fn has_crest_at_upright_wall(&self) -> bool {
         self.seawall().is_some_and(|s| s.wave_height_ratio > 0.0 && s.wall_angle_deg == 90.0)
     }
 
-    /// Whether a single wave meets an upright wall over a bed that is nowhere steeper than 1:2.
+    /// Whether a solitary wave meets an upright wall over a bed that is nowhere steeper than 1:2.
     pub(super) fn has_solitary_wave_at_upright_wall(&self) -> bool {
         let steep = self.has_steep_bed() || self.has_steep_shore();
         self.has_crest_at_upright_wall() && !self.has_train() && !steep
     }
 
-    /// Whether a run to the end time lasts until a single wave is at the wall again, and so long that what this stirs
-    /// sinks. The wall throws the wave back, and then the paddle does.
+    /// Whether a run to the end time lasts until a solitary wave is at the wall again, and so long
+    /// that the stirred water sinks. The wall and then the paddle reflect the wave.
     pub(super) fn hits_again(&self) -> bool {
         self.seawall().is_some_and(|scene| {
             let Frame { length, depth, gravity, end_time, .. } = scene.frame();
@@ -58,7 +59,7 @@ impl Scene {
         })
     }
 
-    /// Whether its wave is so steep that what it throws up a wall falls free and closes cavities.
+    /// Whether its wave is so steep that water thrown up a wall falls freely and closes cavities.
     pub(super) fn falls_free(&self) -> bool {
         self.seawall().is_some_and(|scene| scene.wave_height_ratio > FALLS_FREE)
     }
@@ -68,7 +69,7 @@ impl Scene {
         self.seawall().is_some_and(SeawallScene::is_upright_over_level_bed)
     }
 
-    /// Whether its paddle makes waves that go on.
+    /// Whether its paddle makes regular waves.
     pub(super) fn has_train(&self) -> bool {
         self.seawall().is_some_and(|scene| scene.wave_train.is_some())
     }
@@ -78,25 +79,26 @@ impl Scene {
         self.seawall().is_some_and(|scene| scene.crest.is_some())
     }
 
-    /// Whether still water covers a stretch of its bed that is steeper than 1:2.
+    /// Whether still water covers a part of its bed that is steeper than 1:2.
     pub(super) fn has_steep_bed(&self) -> bool {
         self.bed().is_some_and(|bed| bed.is_steep_under(self.frame().depth, STEEP))
     }
 
-    /// Whether a stretch of its bed that is steeper than 1:2 comes out of the still water.
+    /// Whether a part of its bed that is steeper than 1:2 rises out of the still water.
     pub(super) fn has_steep_shore(&self) -> bool {
         self.comes_out(STEEP)
     }
 
-    /// Whether water under a slope of its bed is to be held, lest it be stirred until the run ends.
+    /// Whether water above a slope of its bed needs correction, so that it is not stirred until the
+    /// run ends.
     pub(super) fn stirs_over_bed(&self) -> bool {
         let rise = if self.lasts(STIRS_AFTER) { STIRS } else { STEEP };
         let under = self.bed().is_some_and(|bed| bed.is_steep_under(self.frame().depth, rise));
         under || self.stirs_at_gentle_shore()
     }
 
-    /// Whether water before a shore, or over a steep face that ends just under it, is to be held so. Particles are so far
-    /// apart, metres.
+    /// The same for water before a shore, or over a steep face that ends just under the water. The
+    /// particle spacing is in metres.
     pub(super) fn stirs_at_shore(&self, particle_spacing: f64) -> bool {
         let rise = if self.lasts(SINKS_AFTER) { STIRS } else { STEEP };
         self.comes_out(rise)
@@ -104,31 +106,32 @@ impl Scene {
             || self.stirs_at_gentle_shore()
     }
 
-    /// Whether water before a shore no steeper than 1:2 is stirred, by waves that go on or as time goes by. A bed that gives
-    /// back did not calm it before steeper ones.
+    /// Whether water before a shore no steeper than 1:2 is stirred, by regular waves or in a long
+    /// run. Before steeper shores a bed that gives back did not calm it.
     pub(super) fn stirs_at_gentle_shore(&self) -> bool {
         let long = self.has_train() || self.lasts(STIRS_AT_GENTLE_SHORE_AFTER);
         long && self.has_shore() && !self.has_steep_shore()
     }
 
-    /// Whether a stretch of its bed steeper than 1:2 ends so near under the still water that hardly a row of particles,
-    /// so far apart, metres, finds room over it.
+    /// Whether a part of its bed steeper than 1:2 ends so near the still water's surface that
+    /// hardly a row of particles with this spacing, metres, fits above it.
     pub(super) fn ends_just_under(&self, particle_spacing: f64) -> bool {
         let (depth, near) = (self.frame().depth, LAST_ROW * particle_spacing);
         self.bed().is_some_and(|bed| bed.is_steep_just_under(depth, STEEP, near))
     }
 
-    /// Whether its bed comes out of the still water.
+    /// Whether its bed rises out of the still water.
     pub(super) fn has_shore(&self) -> bool {
         self.comes_out(0.0)
     }
 
-    /// Whether a stretch of its bed that rises by more than this along its length comes out of the still water.
+    /// Whether a part of its bed steeper than this (its rise per length) rises out of the still
+    /// water.
     pub(super) fn comes_out(&self, rise: f64) -> bool {
         self.bed().is_some_and(|bed| bed.is_steep_at(self.frame().depth, rise))
     }
 
-    /// Whether a run to the end time takes longer than so many √(h/g).
+    /// Whether a run to the end time takes longer than this many √(h/g).
     fn lasts(&self, times: f64) -> bool {
         let Frame { depth, gravity, end_time, .. } = self.frame();
         end_time - self.start_s() > times * (depth / gravity).sqrt()
@@ -139,7 +142,7 @@ impl Scene {
         self.seawall()?.uneven_bed()
     }
 
-    /// Whether water falls on a floor or on other water, and hits it all at once.
+    /// Whether water falls onto a floor or onto other water, which it hits all at once.
     pub(super) fn plunges(&self) -> bool {
         match self {
             Scene::Seawall(scene) => scene.behind.keeps(),
@@ -147,7 +150,8 @@ impl Scene {
         }
     }
 
-    /// Whether a wave may come up to a wall that stands dry, as far as twice its height, and hits it all at once.
+    /// Whether a wave may reach a dry wall, up to twice the wave's height, which it hits all at
+    /// once.
     pub(super) fn hits_dry_wall(&self) -> bool {
         self.seawall().zip(self.bed()).is_some_and(|(scene, bed)| {
             let depth = scene.still_water_depth_m;
@@ -155,7 +159,7 @@ impl Scene {
         })
     }
 
-    /// Whether a jet falls on water in front of it, and closes cavities.
+    /// Whether a jet falls onto water before it, and closes cavities.
     pub(super) fn plunges_on_water(&self) -> bool {
         matches!(self, Scene::DamBreak(scene) if scene.plunges())
     }

@@ -1,4 +1,4 @@
-//! How ghosts get their values, with the parameters that the numerics have for it.
+//! How ghosts get their values, with the parameters of the numerics.
 
 use super::numerics::Numerics;
 use crate::boundary::{

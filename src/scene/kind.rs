@@ -1,4 +1,4 @@
-//! The kinds of scenes, and what all of them can do.
+//! The kinds of scenes, and their common functions.
 
 use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
@@ -21,7 +21,7 @@ macro_rules! kinds {
         }
 
         impl Kind {
-            /// All of them.
+            /// All kinds.
             pub const ALL: &[Kind] = &[$(Kind::$kind),*];
 
             /// Its name in files.
@@ -39,7 +39,8 @@ macro_rules! kinds {
                 match self { $(Kind::$kind => <$scene>::has(name),)* }
             }
 
-            /// Reads the `[scene]` table of such a scene, once it is known that it has all keys.
+            /// Reads the `[scene]` table of this kind. It must already be known that all its keys
+            /// exist.
             pub(super) fn read(self, table: &Table) -> Result<Scene, ConfigError> {
                 match self {
                     $(Kind::$kind => {
@@ -64,7 +65,8 @@ macro_rules! kinds {
                 match self { $(Scene::$kind(_) => Kind::$kind,)* }
             }
 
-            /// Adds the names of all keys whose values differ. False where the two have not the same keys.
+            /// Adds the names of all keys whose values differ. False if the two do not have the
+            /// same keys.
             pub fn differing(&self, other: &Scene, names: &mut Vec<&'static str>) -> bool {
                 match (self, other) {
                     $((Scene::$kind(one), Scene::$kind(other)) => one.differing(other, names),)*
@@ -73,7 +75,7 @@ macro_rules! kinds {
             }
         }
 
-        /// `$body` with `$scene` bound to the scene of whatever kind.
+        /// `$body` with `$scene` bound to the scene of any kind.
         macro_rules! each {
             ($value:expr, $bound:ident => $body:expr) => {
                 match $value { $(Scene::$kind($bound) => $body,)* }
@@ -131,7 +133,7 @@ impl Scene {
         self.seawall().map_or(0.0, SeawallScene::start_s)
     }
 
-    /// All its values, as a file would give them, the kind first.
+    /// All its values as in a file, the kind first.
     pub fn entries(&self) -> Vec<(&'static str, Value)> {
         let mut entries = vec![("kind", self.kind().into())];
         entries.extend(each!(self, scene => scene.entries()));
@@ -143,12 +145,12 @@ impl Scene {
         self.entries().into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
     }
 
-    /// The value of a key but the kind, as a file would give it.
+    /// The value of a key except the kind, as in a file.
     pub fn entry(&self, name: &str) -> Option<Value> {
         each!(self, scene => scene.entry(name))
     }
 
-    /// The name that `scene.kind` gives it.
+    /// Its name in `scene.kind`.
     pub fn kind(&self) -> &'static str {
         self.of_kind().name()
     }
@@ -168,7 +170,7 @@ impl Scene {
         each!(self, scene => scene.water_area())
     }
 
-    /// What holds the water.
+    /// The walls around the water.
     pub fn walls(&self) -> Walls {
         each!(self, scene => scene.walls())
     }
@@ -178,12 +180,12 @@ impl Scene {
         each!(self, scene => scene.build(numerics, path))
     }
 
-    /// What the scene's depth is, in words.
+    /// The name of the scene's depth.
     pub(super) fn depth_name(&self) -> &'static str {
         each!(self, scene => scene.depth_name())
     }
 
-    /// Checks what no key can tell alone, and that the scheme can take it.
+    /// Checks keys against each other, and that the scheme can run the scene.
     pub(super) fn validate(&self, numerics: &Numerics) -> Result<(), ConfigError> {
         each!(self, scene => scene.validate(numerics))?;
         match each!(self, scene => scene.not_for_isph()) {

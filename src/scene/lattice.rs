@@ -1,19 +1,20 @@
-//! Where particles stand at the start.
+//! The particles at the start.
 
 use super::frame::Frame;
 use super::numerics::Numerics;
 
-/// Whole columns and rows, and the spacings that make them fill the water exactly.
+/// Whole columns and rows, with spacings for which they fill the water exactly.
 ///
-/// In front of an inclined wall every row holds as many particles as fit best and is stretched to
-/// end at the wall: no void, no particle inside the wall, and the mass of a row is its length's.
+/// Before an inclined wall every row has the best number of particles, and is stretched to end at
+/// the wall. So there is no void, no particle is inside the wall, and the mass of a row follows
+/// from its length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Lattice {
     pub columns: usize,
     pub rows: usize,
     pub spacing: [f64; 2],
     length: f64,
-    /// What a wall gains in x per height: 0 for a vertical one.
+    /// Gain of the wall's x per height: 0 for a vertical wall.
     overhang: f64,
 }
 
@@ -38,12 +39,12 @@ impl Lattice {
         }
     }
 
-    /// The same with so many more rows on top.
+    /// The same with this many more rows on top.
     pub(super) fn raised(&self, rows: usize) -> Lattice {
         Lattice { rows: self.rows + rows, ..*self }
     }
 
-    /// Whether the wall that the water ends at is vertical.
+    /// Whether the wall at the end of the water is vertical.
     pub(super) fn upright(&self) -> bool {
         self.overhang == 0.0
     }
@@ -63,8 +64,8 @@ impl Lattice {
         (0..self.rows).map(|row| self.row(row).0).sum()
     }
 
-    /// (x, y, density, mass) of every particle, the densities for the state and for the mass being
-    /// given by height and number.
+    /// (x, y, density, mass) of every particle. `density` gives the densities for the state and for
+    /// the mass, from height and number.
     pub(super) fn points(&self, density: impl Fn(f64, usize) -> [f64; 2]) -> Vec<[f64; 4]> {
         let [dx, dy] = self.spacing;
         let mut points = Vec::with_capacity(self.particles());

@@ -1,10 +1,10 @@
-//! A wall at the end of the water that may lean: how far, and what water stands before it.
+//! A wall at the end of the water that may lean: its angle, and the water before it.
 
 use super::filling::WALL_HEIGHT;
 use super::frame::Frame;
 use crate::keys::ConfigError;
 
-/// Refuses a wall that does not stay clear of the other end as far up as it goes.
+/// Refuses a wall that would reach the other end.
 pub(super) fn validate(angle_deg: f64, depth: f64, length: f64) -> Result<(), ConfigError> {
     let reach = WALL_HEIGHT * depth / libm::tan(angle_deg.to_radians());
     if angle_deg >= 90.0 || reach <= 0.9 * length {

@@ -1,4 +1,4 @@
-//! What known limits ask of a case.
+//! Facts about a case for the known limits.
 
 use std::f64::consts::TAU;
 
@@ -10,30 +10,31 @@ use crate::boundary::{BoundaryChoice, Profile};
 use crate::scheme::isph::Laplacian;
 use crate::scheme::wcsph::Shifting;
 
-/// Whether a case runs into a known limit, and what is told of it.
+/// Whether a case has a known limit, and the warning.
 pub(super) type Limit = (fn(&Facts<'_>) -> bool, &'static str);
 
-/// Walls on springs of so many ρgh, 1e4 N/m in water of 0.2 m, stand as good as still under the highest waves.
+/// Walls on springs of this many ρgh, 1e4 N/m in water of 0.2 m, hardly move under the highest
+/// waves.
 const STIFF: f64 = 5.0;
 
-/// What limits ask of a case.
+/// Facts about a case.
 pub(super) struct Facts<'a> {
     pub config: &'a CaseConfig,
     pub numerics: &'a Numerics,
-    /// By δ-SPH.
+    /// Whether it runs with δ-SPH.
     pub weakly: bool,
     /// H/h at a seawall, 0 for no wave.
     pub wave: f64,
     /// Rows of particles over the depth before a seawall.
     pub rows: Option<f64>,
-    /// A seawall that hardly moves.
+    /// Whether the seawall hardly moves.
     pub stands: bool,
-    /// Between bed and seawall, degrees; 90 for no seawall.
+    /// Angle between bed and seawall, degrees; 90 without a seawall.
     pub angle: f64,
 }
 
 impl Facts<'_> {
-    /// Those of a case.
+    /// The facts about a case.
     pub fn of(config: &CaseConfig) -> Facts<'_> {
         let numerics = &config.numerics;
         let seawall = config.scene.seawall();
@@ -54,28 +55,29 @@ impl Facts<'_> {
         }
     }
 
-    /// What is in the tank.
+    /// The scene.
     pub fn scene(&self) -> &Scene {
         &self.config.scene
     }
 
-    /// Whether waves that go on make its particles creep closer.
+    /// Whether regular waves make its particles creep closer.
     pub fn sinks(&self) -> bool {
         let numerics = self.numerics;
         self.weakly && numerics.corrected_gradients && numerics.volume_feedback == 0.0
     }
 
-    /// A dam break: water that breaks.
+    /// Whether it is a dam break: water that breaks.
     pub fn breaks(&self) -> bool {
         self.weakly && matches!(self.scene(), Scene::DamBreak(_))
     }
 
-    /// Without gradient corrections and the shifting that goes with them.
+    /// Whether it runs without gradient corrections and the shifting that belongs to them.
     pub fn uncorrected(&self) -> bool {
         self.weakly && !self.numerics.corrected_gradients
     }
 
-    /// Vortices with a row of particles on the line between two of them, under a pressure that does not last.
+    /// Whether it has vortices with a row of particles on the line between two of them, under a
+    /// pressure that does not last.
     pub fn may_tear(&self) -> bool {
         let Scene::TaylorGreen(scene) = self.scene() else { return false };
         let rows = (scene.box_side_m / self.numerics.particle_spacing_m).round();
@@ -83,12 +85,13 @@ impl Facts<'_> {
         corrected && rows % 2.0 == 1.0 && scene.background_pressure_ratio < 3.0
     }
 
-    /// Takes ghosts' values in this way.
+    /// Whether ghosts get their values in this way.
     pub fn boundary(&self, choice: BoundaryChoice) -> bool {
         self.weakly && self.numerics.boundary == choice
     }
 
-    /// Whether a bed that comes out of the water, or ends just under it, is left to stir it.
+    /// Whether its bed rises out of the water, or ends just under it, and no correction keeps the
+    /// water calm.
     pub fn stirs_at_shore(&self) -> bool {
         let spacing = self.numerics.particle_spacing_m;
         self.scene().stirs_at_shore(spacing) && self.lets_stir(self.numerics.volume_feedback > 0.0)
@@ -99,28 +102,29 @@ impl Facts<'_> {
         self.scene().hits_again() && !self.numerics.stop_when_settled
     }
 
-    /// Whether its bed is left to stir the water.
+    /// Whether its bed stirs the water, and no correction keeps it calm.
     pub fn stirs(&self) -> bool {
         self.scene().stirs_over_bed() && self.lets_stir(self.numerics.conservative_bed)
     }
 
-    /// Without what stills water beside a steep bed: a measure of its own, and the shifting.
+    /// Without the corrections that calm water beside a steep bed: a measure of its own, and the
+    /// shifting.
     fn lets_stir(&self, measure: bool) -> bool {
         let stilled = measure && self.numerics.shifting == Shifting::Deep;
         self.weakly && !stilled
     }
 
-    /// A bed that is not level.
+    /// Whether the bed is not level.
     pub fn has_bed(&self) -> bool {
         self.scene().bed().is_some()
     }
 
-    /// A wall that water may go over.
+    /// Whether water may go over the wall.
     pub fn has_crest(&self) -> bool {
         self.scene().has_crested_wall()
     }
 
-    /// Regular waves for more than ten periods.
+    /// Whether it has regular waves for more than ten periods.
     pub fn is_long_train(&self) -> bool {
         let scene = self.scene().seawall();
         let period =
@@ -148,20 +152,21 @@ impl Facts<'_> {
         Some(drop.stretching_rate_per_s / drop.field_rate_per_s)
     }
 
-    /// Whether a wave goes over a steep stretch of its bed.
+    /// Whether a wave goes over a steep part of its bed.
     pub fn goes_over_steep_bed(&self) -> bool {
         self.wave > 0.0 && self.scene().has_steep_bed()
     }
 
-    /// Whether a wave runs up a beach, where so many rows read a thin tongue low.
+    /// Whether a wave runs up a beach, where a thin tongue is read too low with this many rows.
     pub fn reads_thin_tongues(&self) -> bool {
-        // On steeper ones no tongue of water lies. Behind what comes out of the water runups are those at the wall.
+        // On steeper slopes there is no tongue of water. Behind ground that rises out of the water,
+        // runups are those at the wall.
         let beach = self.scene().seawall().is_some_and(SeawallScene::is_at_beach);
         let coarse = self.rows.is_some_and(|rows| rows <= 40.0);
         self.wave > 0.0 && beach && coarse && self.runup_thickness().is_none()
     }
 
-    /// Whether runups are told where a tongue's particles lie apart.
+    /// Whether runups are read at a thickness at which a tongue's particles lie apart.
     pub fn thins_out(&self) -> bool {
         self.runup_thickness().is_some_and(|thickness| thickness < self.numerics.particle_spacing_m)
     }
@@ -170,13 +175,14 @@ impl Facts<'_> {
         self.scene().seawall()?.runup_thickness_m
     }
 
-    /// Whether its bed has a trench into which no particle fits.
+    /// Whether its bed has a trench too narrow for particles.
     pub fn has_filled_trench(&self) -> bool {
         let trench = self.scene().bed().and_then(Profile::narrowest_trench);
         trench.is_some_and(|breadth| breadth < 0.99 * self.numerics.particle_spacing_m)
     }
 
-    /// Whether a steep face ends just under the still water, or comes out of it and ends less than a support radius above it.
+    /// Whether a steep face ends just under the still water; or rises out of it and ends less than
+    /// a support radius above it.
     pub fn ends_low(&self) -> bool {
         let (depth, spacing) = (self.scene().frame().depth, self.numerics.particle_spacing_m);
         let reach = [spacing, self.numerics.support_radius_ratio * spacing];
@@ -184,7 +190,7 @@ impl Facts<'_> {
         self.weakly && (low || self.scene().ends_just_under(spacing))
     }
 
-    /// Rows of still water that stand at a wall whose bed ends under water.
+    /// Rows of still water at a wall whose bed ends under water.
     pub fn rows_at_wall(&self) -> Option<f64> {
         let depth = self.scene().frame().depth - self.scene().bed()?.end()[1];
         (depth > 0.0).then(|| depth / self.numerics.particle_spacing_m)
@@ -196,12 +202,12 @@ impl Facts<'_> {
         rows.is_some_and(|(rows, at_wall)| self.wave * rows > 0.75 * at_wall)
     }
 
-    /// Whether a wave may come up to a wall that stands dry.
+    /// Whether a wave may reach a dry wall.
     pub fn hits_dry_wall(&self) -> bool {
         self.weakly && self.scene().hits_dry_wall()
     }
 
-    /// An operator for the pressure that leaves divergence at such steps.
+    /// Whether the operator for the pressure leaves divergence at such steps.
     pub fn leaves_divergence(&self) -> bool {
         let own = self.numerics.incompressible();
         !self.weakly && own.gravity_courant_number > 0.035 && own.laplacian != Laplacian::Exact

@@ -1,6 +1,6 @@
-//! Known limits: what `seawall check` warns of before a run. Measured by `seawall stress` and
-//! `seawall accuracy` and `scripts/boundary_comparison`; see `results/stability`, `results/accuracy` and
-//! `results/boundary_comparison`.
+//! Known limits: warnings of `seawall check` before a run. They were measured by `seawall stress`,
+//! `seawall accuracy` and `scripts/boundary_comparison`; see `results/stability`,
+//! `results/accuracy` and `results/boundary_comparison`.
 
 mod beds;
 
@@ -14,8 +14,8 @@ use super::size;
 use crate::boundary::{BoundaryChoice, GhostGravity};
 use crate::scheme::wcsph::DensityDiffusion;
 
-/// What is known to go wrong, or to be inaccurate, with a case; a line each, the same line for the
-/// same limit.
+/// What is known to be wrong or inaccurate with a case, a line each. The same limit always has the
+/// same line.
 pub fn limits(config: &CaseConfig) -> Vec<&'static str> {
     let facts = Facts::of(config);
     let all = LIMITS.iter().chain(BEDS);

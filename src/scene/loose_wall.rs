@@ -1,20 +1,23 @@
-//! How far a solitary wave pushes a wall on a soft spring, roughly: a run ends where the wall has come loose.
+//! A rough estimate of how far a solitary wave pushes a wall on a soft spring. A run ends if the
+//! wall is too far.
 
 use super::contract::SceneOfKind;
 use super::seawall::{SeawallScene, WallChoice};
 
-/// A wall farther out than this, X*, has come loose.
+/// A wall farther out than this X* is too far.
 pub const FARTHEST_WALL: f64 = 11.0;
 
-/// A wall without mass leaves with so many times √(gh) H/h: read off runs with H/h from 0.2 to 0.7, m* from 0.25 to 6.25
-/// and k* from 0 to 0.005, of which it tells the largest X* within a tenth.
+/// A wall without mass starts with this many √(gh) H/h. Fitted to runs with H/h from 0.2 to 0.7, m*
+/// from 0.25 to 6.25 and k* from 0 to 0.005. Their largest X* is reproduced within a tenth.
 const SPEED: f64 = 1.67;
-/// A wall of mass m* is slower by 1 + so many times m*.
+/// A wall of mass m* is slower by the factor 1 + this many m*.
 const HELD: f64 = 0.22;
-/// A fixed wall of H/h up to 0.6 feels 1 + so many times H/h at most: one that is held harder does not move.
+/// The largest force on a fixed wall is 1 + this many H/h, for H/h up to 0.6. A wall that is held
+/// by more does not move.
 const PRESSES: f64 = 4.4;
 
-/// X* when the run ends, or the spring has turned the wall; `None` for other walls, other waves and beds.
+/// X* when the run ends, or when the spring has turned the wall. `None` for other walls, waves and
+/// beds.
 pub(super) fn displacement(scene: &SeawallScene) -> Option<f64> {
     let other = scene.wall != WallChoice::Movable || scene.bed.is_some();
     let stays = scene.threshold_ratio > 1.0 + PRESSES * scene.wave_height_ratio;
@@ -24,7 +27,7 @@ pub(super) fn displacement(scene: &SeawallScene) -> Option<f64> {
     let frame = scene.frame();
     let arrival = scene.crest_may_pass(frame.length)?;
     let time = (frame.end_time - arrival).max(0.0) * (frame.gravity / frame.depth).sqrt();
-    // The force is s times as large, which is what mass and spring over s would feel.
+    // The force is multiplied by s, which is the same as dividing mass and spring by s.
     let weight = frame.density * frame.depth * frame.depth;
     let mass = scene.seawall_mass_kg_per_m? / (scene.force_coupling * weight);
     let stiffness = scene.spring_stiffness_n_per_m? * frame.depth / (weight * frame.gravity);

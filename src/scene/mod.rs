@@ -1,8 +1,8 @@
-//! Scene files: the one door through which values enter, with defaults, presets and validation.
+//! Scene files: the only way for values to enter, with defaults, presets and validation.
 //!
 //! A case is a [`CaseConfig`]: a scene (what is simulated) and numerics (how). Both come from TOML
-//! tables through [`CaseConfig::from_tables`], which fills in presets and refuses what is unknown,
-//! of the wrong type, or out of range with a [`ConfigError`] that says so.
+//! tables through [`CaseConfig::from_tables`]. It fills in presets. It refuses what is unknown, of
+//! the wrong type, or out of range, with a [`ConfigError`] that says so.
 
 mod bed_demands;
 mod bed_lattice;

@@ -10,10 +10,10 @@ use crate::scheme::StateEquationChoice;
 use crate::scheme::isph::Laplacian;
 use crate::scheme::wcsph::{DensityDiffusion, Precision, Shifting};
 
-/// The slowest sound that a file may ask for, over √(g h).
+/// The lowest speed of sound that a file may have, over √(g h).
 pub(super) const LEAST_SOUND_SPEED_RATIO: f64 = 4.0;
 
-/// Which set of equations is stepped.
+/// The set of equations.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Scheme {
@@ -193,7 +193,7 @@ section! {
 }
 
 impl Numerics {
-    /// What incompressible SPH reads; its defaults for another scheme.
+    /// The keys of incompressible SPH; its defaults for another scheme.
     pub(super) fn incompressible(&self) -> IncompressibleNumerics {
         self.incompressible.clone().unwrap_or_else(IncompressibleNumerics::defaults)
     }

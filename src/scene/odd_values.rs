@@ -1,4 +1,4 @@
-//! Values that are allowed and that hardly anybody means: warnings, each with its key.
+//! Values that are allowed but probably not intended: warnings, each with its key.
 
 mod probes;
 
@@ -11,28 +11,28 @@ use super::seawall::{SeawallScene, WallChoice};
 use crate::keys::ConfigError;
 use crate::math::decimal::rounded_up;
 
-/// A wave tank shorter than so many still water depths leaves a wave no room: a solitary wave of half
-/// the depth is ten depths long.
+/// A wave tank shorter than this many still water depths is too short for a wave: a solitary wave
+/// of half the depth is ten depths long.
 const SHORTEST_TANK: f64 = 5.0;
 /// Water, kg/m³: 958 when it boils, 1000 fresh, 1025 in the sea, 1240 in the Dead Sea.
 const WATER: [f64; 2] = [900.0, 1300.0];
 
-/// Digits in which a bound is told that must itself be well.
+/// Number of digits in a bound, which must itself be allowed.
 const DIGITS: usize = 4;
 
-/// Fewer steps show nothing.
+/// Runs with fewer steps show nothing.
 const FEWEST_STEPS: f64 = 2.0;
 
-/// Samples closer than this share of a time step say nothing that steps do not.
+/// Samples closer than this share of a time step add nothing to the steps.
 const SHARE_OF_STEP: f64 = 0.1;
 
-/// What a wall sends back may add this share to a crest that is measured.
+/// A reflected wave may add this share to a crest that is measured.
 const MOST_ADDED: f64 = 0.05;
 
 /// A recorded stroke's spline goes beyond its points by more than this share of its reach.
 const OVERSHOOT: f64 = 0.05;
 
-/// What of a case looks like a slip: key, value, and what is usual.
+/// Values of a case that look like mistakes: key, value, and the usual value.
 pub fn odd_values(config: &CaseConfig) -> Vec<ConfigError> {
     let all = [density(config), interval(config), end(config)];
     let mut odd: Vec<_> = all.into_iter().flatten().collect();
@@ -112,7 +112,7 @@ fn early(scene: &SeawallScene) -> Option<ConfigError> {
     let centre = paddle.stroke_centre()?;
     let way = scene.crest_may_pass(frame.length)? - centre;
     let seen = match scene.end_time_s {
-        // It wins over the other.
+        // It has precedence over the other key.
         Some(_) => format!("end_time_s = {:.1}", centre + 2.0 * way),
         None => format!("end_after_stroke_centre_s = {:.1}", 2.0 * way),
     };
@@ -129,7 +129,7 @@ fn early(scene: &SeawallScene) -> Option<ConfigError> {
         .flatten()
 }
 
-/// The run ends early, as the wall goes farther than any that is held.
+/// The run ends early, because the wall goes too far.
 fn loose(scene: &SeawallScene) -> Option<ConfigError> {
     let (way, stiffness) = (loose_wall::displacement(scene)?, scene.spring_stiffness_n_per_m?);
     let told = || {
@@ -141,7 +141,8 @@ fn loose(scene: &SeawallScene) -> Option<ConfigError> {
     (way > FARTHEST_WALL).then(|| warning("spring_stiffness_n_per_m", stiffness, told())).flatten()
 }
 
-/// What is nearer to the paddle than a support radius is water at its face, and where it has been there is none.
+/// Nearer to the paddle than a support radius the level is that at its face. Where the paddle has
+/// been there is no water later.
 fn gauge(scene: &SeawallScene, numerics: &Numerics) -> Option<ConfigError> {
     let paddle = scene.paddle()?;
     let stroke = paddle.goes_forth();
@@ -157,8 +158,8 @@ fn gauge(scene: &SeawallScene, numerics: &Numerics) -> Option<ConfigError> {
         .flatten()
 }
 
-/// A solitary wave is H sech² κx, and an upright wall sends it back. Where its crest passes the gauge, what is on its
-/// way back stands there with sech² 2κd of its height, d from the wall.
+/// A solitary wave is H sech² κx, and an upright wall reflects it. When its crest passes the gauge,
+/// the reflected wave adds sech² 2κd of its height there, at the distance d from the wall.
 fn meets(scene: &SeawallScene) -> Option<ConfigError> {
     scene.paddle()?.stroke_centre()?;
     let away = (scene.tank_length_m - scene.wave_gauge_m) / scene.still_water_depth_m;
@@ -175,7 +176,7 @@ fn meets(scene: &SeawallScene) -> Option<ConfigError> {
         .flatten()
 }
 
-/// On a dry beach a gauge counts from the bed.
+/// On a dry beach a gauge measures from the bed.
 fn aground(scene: &SeawallScene) -> Option<ConfigError> {
     let height = scene.bed.as_ref()?.height(scene.wave_gauge_m);
     let told = || {
@@ -200,7 +201,7 @@ fn overshoot(scene: &SeawallScene) -> Option<ConfigError> {
     (beyond > OVERSHOOT * reach).then(|| ConfigError::new("scene.recorded_stroke", "", told()))
 }
 
-/// A spline goes smoothly over what a record has lost.
+/// A spline goes smoothly over a gap in a record.
 fn hole(scene: &SeawallScene) -> Option<ConfigError> {
     let ([before, after], usual) = scene.recorded.as_ref()?.recorded_stroke.hole()?;
     let told = format!(

@@ -1,4 +1,5 @@
-//! A drop in a central field that swings between ellipses for long: no walls, an exact answer.
+//! A drop in a central field that oscillates between ellipses for a long time: no walls, an exact
+//! answer.
 
 use std::f64::consts::TAU;
 

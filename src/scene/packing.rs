@@ -1,24 +1,25 @@
-//! Particles in front of a leaning wall or over an uneven bed, moved to where they and the ghosts fill space evenly.
+//! Moves particles before a leaning wall or over an uneven bed, so that they and the ghosts fill
+//! space evenly.
 
 use super::squares::Squares;
 use crate::body::Place;
 use crate::boundary::{Ghosts, Plane, Profile};
 use crate::kernel::KernelChoice;
 
-/// Rounds of moving; each takes about a tenth off the longest unevenness within reach.
+/// Number of rounds. Each removes about a tenth of the longest unevenness within reach.
 const ROUNDS: usize = 200;
-/// τ of a round: stable below 2 over the largest eigenvalue of R² Σ V ∇∇W, about 17.
+/// τ of a round. It is stable below 2 over the largest eigenvalue of R² Σ V ∇∇W, which is about 17.
 const STEP: f64 = 0.05;
-/// Particles move up to this many support radii away from the wall.
+/// Particles within this many support radii of the wall move.
 const REACH: f64 = 2.0;
 /// Entries of the table of slopes.
 const ENTRIES: usize = 1024;
 
-/// A face whose ghosts are no continuation of the water's lattice.
+/// A face whose ghosts do not continue the water's lattice.
 pub(super) enum Uneven<'a> {
     /// A leaning wall.
     Wall(Plane),
-    /// A bed, from where it is no longer level.
+    /// A bed, from where it stops being level.
     Bed(&'a Profile),
 }
 
@@ -32,21 +33,21 @@ impl Uneven<'_> {
     }
 }
 
-/// What is packed, and between what.
+/// The inputs of packing.
 pub(super) struct Packing<'a> {
     pub kernel: KernelChoice,
     /// Support radius, metres.
     pub support_radius: f64,
     /// Particle spacing, metres.
     pub spacing: f64,
-    /// Along which the lattices do not fit.
+    /// The face along which the lattices do not fit.
     pub face: Uneven<'a>,
     pub ghosts: &'a Ghosts,
-    /// Particles above this height stay: they stand for the water that goes on.
+    /// Particles above this height do not move: they represent water that goes on.
     pub held_above: f64,
 }
 
-/// A particle that moves, and what is or may come in reach of it.
+/// A particle that moves, and the others that may come in reach of it.
 struct Mover {
     number: usize,
     water: Vec<u32>,
@@ -56,8 +57,8 @@ struct Mover {
 impl Packing<'_> {
     /// Moves particles (x, y, volume) by δr = -τ R² Σ V_j ∇_iW_ij, round after round: the packing
     /// of Colagrossi et al. 2012. Level rows and the ghosts of a leaning wall are lattices of
-    /// different directions; left as they are, they press unevenly on the water between them until
-    /// it has crept to where they do not.
+    /// different directions. Without packing they press unevenly on the water between them, until
+    /// it has crept to an even place.
     pub(super) fn pack(&self, particles: &mut [[f64; 3]]) {
         let volumes: Vec<f64> = (0..self.ghosts.len()).map(|g| self.volume(g)).collect();
         let movers = self.movers(particles, &volumes);
@@ -103,8 +104,9 @@ impl Packing<'_> {
         }
     }
 
-    /// Volume of a ghost. Of a level bed that goes on beneath the wall only what lies before the wall counts: the
-    /// wall's corner block stands for the rest. A column of the bed may lie on both sides.
+    /// Volume of a ghost. Of a level bed that goes on beneath the wall only the part before the
+    /// wall counts; the wall's corner block takes the place of the rest. A column of the bed may
+    /// lie on both sides.
     fn volume(&self, g: usize) -> f64 {
         let [bed, wall] =
             [Place::Bed, Place::Right].map(|place| &self.ghosts.bodies[place.number()]);

@@ -36,14 +36,14 @@ section! {
     }
 }
 
-/// Rows of particles over the depth with which the sound speed is [`RATIO`] times √(g h).
+/// Rows of particles over the depth at which the sound speed is [`RATIO`] times √(g h).
 const ROWS: f64 = 12.5;
 const RATIO: f64 = 8.0;
 
-/// So many √(h/g) still water has to come to rest before a shore.
+/// Time for still water to come to rest before a shore, in √(h/g).
 const RELAXES_OVER: f64 = 40.0;
 
-/// c0/√(g h) with which the error by sound, which goes as 1/c0², falls as the spacing does; to two
+/// c0/√(g h) for which the error by sound, proportional to 1/c0², falls like the spacing; to two
 /// decimals.
 pub(super) fn sound_speed_ratio(depth: f64, particle_spacing: f64) -> f64 {
     let ratio = RATIO * (depth / (ROWS * particle_spacing)).sqrt();
@@ -54,7 +54,7 @@ pub(super) fn sound_speed_ratio(depth: f64, particle_spacing: f64) -> f64 {
     }
 }
 
-/// Numerics that were read.
+/// Numerics that were already read.
 struct Known {
     table: Table,
     base: Numerics,
@@ -62,11 +62,12 @@ struct Known {
 }
 
 thread_local! {
-    /// Those that came last on this thread. Cases of a study have mostly the same, and these are most of a case.
+    /// The last ones on this thread. Cases of a study mostly share them, and they are most of a
+    /// case.
     static LAST: RefCell<Option<Known>> = const { RefCell::new(None) };
 }
 
-/// Whether a table has a zero that equals another one and is written otherwise.
+/// Whether a table has -0, which equals 0 and is written differently.
 fn has_minus_zero(table: &Table) -> bool {
     table.values().filter_map(Value::as_float).any(|value| value == 0.0 && value.is_sign_negative())
 }
@@ -106,7 +107,7 @@ impl Numerics {
         }
     }
 
-    /// Reads the `[numerics]` table of a scene, once it is known that it has all keys.
+    /// Reads the `[numerics]` table of a scene. It must already be known that all its keys exist.
     ///
     /// # Errors
     /// The first value that does not fit.
@@ -123,8 +124,8 @@ impl Numerics {
         }
         let mut base = Numerics::preset(preset);
         if matches!(scene, Scene::DamBreak(_)) || scene.walls() == Walls::Closed {
-            // A front that hits a wall leaves no time in which pairs could hold their geometry. In a box
-            // that water fills no surface lets sound go, and full steps would feed what is resonant.
+            // If a front hits a wall, there is no time in which pairs could hold their geometry. In
+            // a full box no surface lets sound escape, and full steps would feed resonances.
             base.acoustic_substeps = 1;
         }
         let timed = table.get("stop_when_settled").and_then(Value::as_bool) != Some(true);
@@ -133,7 +134,7 @@ impl Numerics {
                 let spacing = table.get("particle_spacing_m").and_then(number);
                 base.suit(scene, spacing.unwrap_or(base.particle_spacing_m), timed);
             }
-            // Water that splashes comes out of it with its particles farther apart.
+            // After a splash the particles of water are too far apart.
             Preset::Isph if matches!(scene, Scene::DamBreak(_)) => base.volume_feedback = 0.006,
             Preset::Isph | Preset::Huang2019 => {}
         }
@@ -147,7 +148,7 @@ impl Numerics {
                 let numerics = Numerics::read(table, Some(&base))?;
                 check_conditions(table, &numerics)?;
                 let numerics = Shared::from(numerics);
-                // -0 equals 0, and is another text.
+                // -0 equals 0, but has another text.
                 *last = (!has_minus_zero(table)).then(|| Known {
                     table: table.clone(),
                     base,
@@ -158,19 +159,19 @@ impl Numerics {
         })
     }
 
-    /// Takes what the preset `default` has for scenes of this kind, with particles so far apart, metres,
-    /// and whether the run ends with its end time alone.
+    /// Applies the settings of the preset `default` to a scene of this kind. The particle spacing
+    /// is in metres. `timed` is whether the run can only end at its end time.
     fn suit(&mut self, scene: &Scene, particle_spacing: f64, timed: bool) {
         if scene.plunges() || scene.hits_dry_wall() {
-            // Long steps put energy into water that is hit all at once.
+            // Long steps add energy to water that is hit all at once.
             self.courant_number = 0.6;
         } else if scene.stirs_at_gentle_shore() {
-            // Long steps put energy into tongues, too.
+            // Long steps also add energy to tongues.
             self.courant_number = 0.9;
         }
         if !scene.has_crest_at_upright_wall() {
-            // A wide support pays where a crest strains a lattice. Thin sheets and wedges lose by it, and
-            // water at rest begins to creep after some ten seconds.
+            // A wide support helps where a crest strains a lattice. For thin sheets and wedges it
+            // is worse, and water at rest starts to creep after some ten seconds.
             self.support_radius_ratio = 4.0;
             self.artificial_viscosity = 0.1;
             self.shifting_coefficient = 0.25;
@@ -180,7 +181,7 @@ impl Numerics {
             self.artificial_viscosity = 0.09;
         }
         if (solitary && scene.falls_free()) || scene.plunges_on_water() {
-            // Single particles beside a cavity would hold it open.
+            // Single particles beside a cavity would keep it open.
             self.surface_relief = true;
         }
         if solitary && scene.is_upright_over_level_bed() {
@@ -195,17 +196,18 @@ impl Numerics {
         let leans = scene.seawall().is_some_and(|tank| tank.wall_angle_deg != 90.0);
         let uneven = scene.bed().is_some() || scene.has_crested_wall();
         if scene.has_train() || uneven || (again && leans) {
-            // Water creeps along walls that waves go on meeting, and along slopes. Before a crest trains press the face
-            // otherwise than the ghosts, by up to 3.5 % at ten rows.
+            // Water creeps along slopes, and along walls that regular waves keep meeting. Under
+            // trains before a crest, the forces on face and ghosts differ by up to 3.5 % at ten
+            // rows.
             self.boundary = BoundaryChoice::Normalized;
         }
         if scene.has_train() {
-            // Ghosts that see all water as at rest take a train's energy at the wall.
+            // Ghosts that take all water to be at rest remove energy of a train at the wall.
             self.ghost_gravity = GhostGravity::Falling;
         }
         self.conservative_crest = scene.has_crested_wall();
         if scene.has_train() || scene.stirs_at_shore(particle_spacing) || again {
-            // Its volumes must be held where water that is stirred has the time to sink through itself.
+            // Its volume needs correction where stirred water has the time to sink.
             self.shifting = Shifting::Deep;
             self.volume_feedback = 0.002;
         }
@@ -214,7 +216,8 @@ impl Numerics {
             self.relaxation_time_s = RELAXES_OVER * (depth / gravity).sqrt();
         }
         if scene.stirs_over_bed() {
-            // Where it bends down, water that goes round would gain by it.
+            // Where the bed bends down, water that moves round the bend would gain energy by
+            // shifting.
             self.shifting = Shifting::Deep;
             self.conservative_bed = true;
         }

@@ -134,7 +134,8 @@ impl Probe {
         tables.iter().enumerate().map(read).collect()
     }
 
-    /// The bed's height where it stands under the bed before the wall, where no water ever is, metres.
+    /// The bed's height, if the probe is under the bed before the wall, where there is never water,
+    /// metres.
     pub(super) fn bed_over_it(&self, bed: &Profile) -> Option<f64> {
         let [end, toe] = bed.end();
         let height = match (self.wall, self.x_m) {
@@ -145,7 +146,7 @@ impl Probe {
         self.y_m.filter(|y| *y < height).map(|_| height)
     }
 
-    /// `behind`: how far the scene reaches behind the wall's face, and how far down there, metres.
+    /// `behind`: how far the scene extends behind the wall's face, and how far down there, metres.
     pub(super) fn validate_all(
         probes: &[Probe],
         frame: &Frame,
@@ -175,7 +176,7 @@ impl Probe {
             return error("name", format!("{:?}", self.name), allowed);
         }
         let name = &self.name;
-        // A wall that leans or moves lets water go farther than it stands.
+        // If a wall leans or moves, water goes farther than the wall.
         let farthest = (2.0 * frame.length).max(frame.length + behind);
         let wrong =
             |key: &str, value: String, why: &str| error(key, value, &format!("{name} {why}"));
@@ -215,7 +216,7 @@ impl Probe {
     }
 }
 
-/// Says which probe an error is about.
+/// Names the probe of an error.
 fn of_probe(error: ConfigError, probe: &str) -> ConfigError {
     ConfigError { allowed: format!("{} (probe {probe})", error.allowed), ..error }
 }

@@ -10,7 +10,7 @@ use crate::body::{
 use crate::boundary::Profile;
 use crate::keys::{ConfigError, section};
 
-/// What the paddle does.
+/// The motion of the paddle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum PaddleChoice {
@@ -22,7 +22,7 @@ pub enum PaddleChoice {
     RecordedStroke,
 }
 
-/// What the seawall may do.
+/// The motion of the seawall.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum WallChoice {
@@ -109,12 +109,12 @@ section! {
 }
 
 impl WallChoice {
-    /// Whether such a wall may move.
+    /// Whether this wall may move.
     pub fn moves(self) -> bool {
         self != WallChoice::Fixed
     }
 
-    /// What it is called, the same with what it does, and what takes the energy that its law of motion absorbs.
+    /// Its name, a title with its motion, and what absorbs the energy in its law of motion.
     fn told(self) -> [&'static str; 3] {
         match self {
             WallChoice::Fixed => ["fixed wall", "fixed wall", "threshold device"],
@@ -123,29 +123,30 @@ impl WallChoice {
         }
     }
 
-    /// What it is called.
+    /// Its name.
     pub fn words(self) -> &'static str {
         self.told()[0]
     }
 
-    /// The same with what it does, for a title.
+    /// A title with its motion.
     pub fn title(self) -> &'static str {
         self.told()[1]
     }
 
-    /// What takes the energy that the law of motion of such a wall absorbs.
+    /// What absorbs the energy in this wall's law of motion.
     pub fn resistance(self) -> &'static str {
         self.told()[2]
     }
 }
 
 impl SeawallScene {
-    /// Whether the wall is upright and the bed level: there forces are read without the sound of the water.
+    /// Whether the wall is upright and the bed level. Only then is the effect of sound removed from
+    /// forces.
     pub fn is_upright_over_level_bed(&self) -> bool {
         self.uneven_bed().is_none() && self.wall_angle_deg == 90.0
     }
 
-    /// The bed that is written out, unless it is level all along: that is the bed of a tank without one.
+    /// The bed in the file, unless it is level everywhere, as in a tank without a bed.
     pub fn uneven_bed(&self) -> Option<&Profile> {
         self.bed.as_ref().filter(|bed| !bed.is_level())
     }
@@ -185,7 +186,8 @@ impl SeawallScene {
         }
     }
 
-    /// The wall at rest, under this hydrostatic force, N per metre of width; one without a mass is held.
+    /// The wall at rest, under this hydrostatic force, N per metre of width. Without a mass it is
+    /// held.
     pub(super) fn law(&self, static_force: f64) -> Wall {
         let threshold = self.onset_ratio(static_force) * static_force;
         let mass = self.seawall_mass_kg_per_m;
@@ -202,8 +204,8 @@ impl SeawallScene {
         law.unwrap_or(Wall::Fixed(FixedWall::up_to(threshold)))
     }
 
-    /// The same scene with its wall held fixed, and nothing left of what it does once it moves. A wall
-    /// whose own keys say what holds it stays what it is, without a mass.
+    /// The same scene with its wall held, and without the keys of its motion. A wall whose own keys
+    /// say what holds it keeps its kind, without a mass.
     pub(super) fn held(&self) -> SeawallScene {
         let wall = match self.wall {
             WallChoice::Fixed | WallChoice::Movable => WallChoice::Fixed,

@@ -1,4 +1,4 @@
-//! What tank, paddle and wall of a seawall ask of one another.
+//! What tank, paddle and wall of a seawall require of each other.
 
 use super::leaning;
 use super::numerics::{Numerics, Scheme};
@@ -9,15 +9,15 @@ use crate::body::CaissonKeys;
 use crate::keys::ConfigError;
 use crate::math::decimal::{rounded_down, rounded_up};
 
-/// Instants of a stroke at which its reach is looked at.
+/// Number of instants of a stroke at which its reach is checked.
 const INSTANTS: u32 = 200;
-/// Digits in which bounds are told.
+/// Digits of bounds in messages.
 pub(super) const DIGITS: usize = 4;
-/// A paddle that never stands is looked at so long, seconds.
+/// A paddle that never stops is checked for this long, seconds.
 const LONGEST: f64 = 1e4;
 
 impl SeawallScene {
-    /// Checks what tank, paddle and wall ask of one another.
+    /// Checks tank, paddle and wall against each other.
     pub(super) fn validate_parts(&self) -> Result<(), ConfigError> {
         if self.wave_gauge_m >= self.tank_length_m {
             return error("wave_gauge_m", self.wave_gauge_m, "must lie inside the tank");
@@ -69,7 +69,8 @@ impl SeawallScene {
         Ok(())
     }
 
-    /// The period at which regular waves of this height are as long as they may be: (kh)² = 3/2 H/h.
+    /// The period at which regular waves of this height have the largest allowed length: (kh)² =
+    /// 3/2 H/h.
     fn longest_period_s(&self) -> f64 {
         let long = (1.5 * self.wave_height_ratio).sqrt();
         let rate = self.gravity_m_per_s2 / self.still_water_depth_m * long * libm::tanh(long);
@@ -100,25 +101,27 @@ impl SeawallScene {
         leaning::validate(angle, self.still_water_depth_m, self.tank_length_m)
     }
 
-    /// Still water depth where the wall stands, metres; 0 where it stands dry.
+    /// Still water depth at the wall, metres; 0 if the wall is dry.
     pub fn depth_at_wall_m(&self) -> f64 {
         let toe = self.bed.as_ref().map_or(0.0, |bed| bed.end()[1]);
         (self.still_water_depth_m - toe).max(0.0)
     }
 
-    /// The depth whose hydrostatic force F* is over, metres: that at the wall, or the still water's where the wall stands dry.
+    /// The depth whose hydrostatic force scales F*, metres: that at the wall, or that of the still
+    /// water if the wall is dry.
     pub fn force_depth_m(&self) -> f64 {
         let at_wall = self.depth_at_wall_m();
         if at_wall > 0.0 { at_wall } else { self.still_water_depth_m }
     }
 
-    /// The lesser of the still water's depths at the paddle and, where there is any, at the wall, metres.
+    /// The smaller of the still water's depths at the paddle and, if there is any, at the wall,
+    /// metres.
     pub fn least_depth_m(&self) -> f64 {
         self.force_depth_m().min(self.still_water_depth_m)
     }
 
-    /// The least still water on the way to the wall, metres, where the bed is under water all along; else the lesser of
-    /// those at its ends.
+    /// The least depth of still water on the way to the wall, metres, if the bed is under water all
+    /// the way. Otherwise the smaller of the depths at its ends.
     pub fn least_depth_on_way_m(&self) -> f64 {
         let highest = self.bed.as_ref().map_or(0.0, |bed| bed.range()[1]);
         let over = self.still_water_depth_m - highest;
@@ -131,7 +134,7 @@ impl SeawallScene {
             (_, Some(keys)) => keys.recorded_stroke.reach(),
             _ => self.paddle().map_or(0.0, |paddle| {
                 let end = self.end_time_s.unwrap_or(LONGEST).min(LONGEST);
-                // A train repeats itself once it is eased in.
+                // A train repeats itself once it is blended in.
                 let single = [0.0, paddle.still_from().min(end)];
                 let [from, span] = paddle.period().map_or(single, |period| [period; 2]);
                 let step = span / f64::from(INSTANTS);
@@ -141,7 +144,7 @@ impl SeawallScene {
         }
     }
 
-    /// Checks what absorption asks of scheme and end.
+    /// Checks absorption against scheme and end.
     pub(super) fn validate_absorption(&self, numerics: &Numerics) -> Result<(), ConfigError> {
         let told = |allowed: &str| error("absorption", "true", allowed);
         if self.absorption && numerics.scheme == Scheme::Isph {
@@ -163,7 +166,7 @@ mod tests {
         case.err().map(|error| error.to_string())
     }
 
-    /// The story: a bed had to be level up to 0.376 m, and one that was got the same message.
+    /// A bed once had to be level up to 0.376 m, and one that was got the same message.
     #[test]
     fn a_bound_that_is_told_is_allowed() {
         let bed = |level: &str| refused(&format!("bed = [[0, 0], [{level}, 0], [2.5, 0.1]]"));

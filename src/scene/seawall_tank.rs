@@ -1,4 +1,4 @@
-//! How a seawall scene becomes a tank.
+//! Builds the tank of a seawall scene.
 
 use super::contract::SceneOfKind;
 use super::filling::{Basin, Filling};
@@ -13,14 +13,14 @@ use crate::keys::ConfigError;
 use crate::math::simd::SimdPath;
 use crate::theory::hydrostatics::wall_force;
 
-/// The bed reaches this many still water depths beyond a wall that may move.
+/// The bed extends this many still water depths beyond a wall that may move.
 const BED_BEYOND: f64 = 12.0;
 
-/// And as many before a paddle that gives way to waves.
+/// And as many before a paddle that absorbs waves.
 const BED_BEFORE: f64 = 12.0;
-/// A crest is taken to pass its gauge no earlier than this share of the time in which theory has it there.
+/// A crest passes its gauge no earlier than after this share of the theoretical time.
 const EARLY: f64 = 0.9;
-/// A paddle that goes back by less, in depths, stays before the bed that it stands on.
+/// A paddle that moves back by less than this, in depths, needs no bed behind it.
 const LEAST_BACK: f64 = 2e-3;
 
 impl SeawallScene {
@@ -40,8 +40,8 @@ impl SeawallScene {
         Some(basin(frame, lattice, [start, floor.floor_height_m, level], numerics))
     }
 
-    /// When the crest of a solitary wave may be at a place at the earliest, s. It leaves the paddle in the middle of
-    /// the stroke. It goes no faster than over the paddle's depth.
+    /// The earliest time at which the crest of a solitary wave may be at a place, s. It leaves the
+    /// paddle in the middle of the stroke, and is no faster than over the paddle's depth.
     pub(super) fn crest_may_pass(&self, place: f64) -> Option<f64> {
         let paddle = self.paddle()?;
         let centre = paddle.stroke_centre()?;
@@ -50,8 +50,8 @@ impl SeawallScene {
         Some(centre + (place - paddle.motion(centre).offset) / celerity)
     }
 
-    /// How far the bed goes on behind the paddle, metres: one that gives way goes back past where it stood, and a
-    /// train or a record may do so as well.
+    /// How far the bed goes on behind the paddle, metres. An absorbing paddle moves back beyond its
+    /// start, and a train or a record may do so as well.
     fn bed_before_paddle(&self) -> f64 {
         let depth = self.still_water_depth_m;
         let back = self.paddle().map_or(0.0, |paddle| paddle.goes_back());
@@ -131,7 +131,7 @@ impl SceneOfKind for SeawallScene {
             other_speed: self.fall_speed(),
             static_force,
             start_time: self.start_s(),
-            // A wall that stands dry has no hydrostatic force of its own to be measured by.
+            // A dry wall has no hydrostatic force of its own.
             from_rest: self.depth_at_wall_m() > 0.0,
             threshold_ratio: self.onset_ratio(static_force),
             impact_ratio: self.threshold_ratio,

@@ -1,4 +1,4 @@
-//! How many particles a scene may have.
+//! The largest number of particles of a scene.
 
 use super::kind::Scene;
 use super::numerics::Numerics;
@@ -6,29 +6,30 @@ use super::seawall::SeawallScene;
 use crate::keys::ConfigError;
 use crate::math::decimal::{rounded_down, rounded_up, significant};
 
-/// Particles of water that are taken at most: some 30 GB, and weeks on one core.
+/// Largest number of water particles: some 30 GB, and weeks on one core.
 pub(super) const MOST_PARTICLES: f64 = 20e6;
 
-/// Ghosts of a bed, of a crest or of the floor behind it that are taken at most: a tank of
+/// Largest number of ghosts of a bed, of a crest or of the floor behind it. A tank of
 /// [`MOST_PARTICLES`] has far fewer.
 const MOST_GHOSTS: f64 = 2e6;
 
-/// Steps that are taken at most: thousands of years on one core.
+/// Largest number of steps: thousands of years on one core.
 const MOST_STEPS: f64 = 1e13;
 
-/// Digits in which bounds are told.
+/// Digits of bounds in messages.
 const DIGITS: usize = 3;
 
-/// Particles of a scene from its area of water, without laying any of them out.
+/// Number of particles of a scene from its area of water, without placing them.
 pub(super) fn particles(scene: &Scene, numerics: &Numerics) -> f64 {
     let spacing = numerics.particle_spacing_m;
     scene.water_area() / spacing / spacing
 }
 
-/// Refuses more particles than a machine holds, and more steps than anybody waits for.
+/// Refuses more particles than a machine can hold, and more steps than anybody waits for.
 ///
 /// # Errors
-/// More than [`MOST_STEPS`] or [`MOST_PARTICLES`]; the latter names the smallest spacing that this water may have.
+/// More than [`MOST_STEPS`] or [`MOST_PARTICLES`]. The latter names the smallest possible spacing
+/// for this water.
 pub(super) fn validate(scene: &Scene, numerics: &Numerics) -> Result<(), ConfigError> {
     let (count, area) = (particles(scene, numerics), scene.water_area());
     if count <= MOST_PARTICLES {
@@ -48,12 +49,12 @@ pub(super) fn validate(scene: &Scene, numerics: &Numerics) -> Result<(), ConfigE
     Err(ConfigError::new("numerics.particle_spacing_m", spacing, allowed))
 }
 
-/// A number with an exponent where it would have many zeros.
+/// A number, with an exponent if it has many zeros.
 fn written(value: f64) -> String {
     if (1e-6..1e9).contains(&value) { value.to_string() } else { format!("{value:e}") }
 }
 
-/// How long bed, crest and the floor behind it are along their faces, metres.
+/// Lengths of bed, crest and the floor behind it along their faces, metres.
 fn lengths(scene: &SeawallScene) -> [(&'static str, Option<f64>); 3] {
     let bed = scene.bed.as_ref().map(|bed| bed.stretches().map(|one| one.length).sum::<f64>());
     let crest = scene.crest.as_ref().map(|crest| crest.crest_width_m);
@@ -62,7 +63,8 @@ fn lengths(scene: &SeawallScene) -> [(&'static str, Option<f64>); 3] {
 }
 
 impl SeawallScene {
-    /// Ghosts below its bed, its crest and the floor behind that, which have them where there is no water, too.
+    /// Number of ghosts below its bed, its crest and the floor behind it. These have ghosts even
+    /// where there is no water.
     pub fn wall_ghosts(&self, numerics: &Numerics) -> f64 {
         let length: f64 = lengths(self).iter().filter_map(|(_, length)| *length).sum();
         length / numerics.particle_spacing_m * numerics.support_radius_ratio
@@ -72,7 +74,7 @@ impl SeawallScene {
 /// Refuses beds, crests and floors so long that their ghosts alone fill a machine.
 ///
 /// # Errors
-/// The key, and the longest that it may be with these particles.
+/// The key, and its largest value with these particles.
 pub(super) fn validate_walls(scene: &SeawallScene, numerics: &Numerics) -> Result<(), ConfigError> {
     let (spacing, rows) = (numerics.particle_spacing_m, numerics.support_radius_ratio);
     let longest = rounded_down(MOST_GHOSTS * spacing / rows, DIGITS);
@@ -95,7 +97,7 @@ pub(super) fn validate_walls(scene: &SeawallScene, numerics: &Numerics) -> Resul
 /// Refuses more steps than anybody waits for.
 fn demand_an_end(scene: &Scene, numerics: &Numerics) -> Result<(), ConfigError> {
     let frame = scene.frame();
-    // From 0 on, wherever a recorded clock begins: it could not tell shorter steps apart.
+    // From 0, wherever a recorded clock begins: that clock could not resolve shorter steps.
     let steps = frame.end_time / frame.time_step(numerics);
     if steps > MOST_STEPS {
         let allowed = format!(
@@ -107,7 +109,7 @@ fn demand_an_end(scene: &Scene, numerics: &Numerics) -> Result<(), ConfigError> 
     Ok(())
 }
 
-/// A count in groups of three digits, or with an exponent where nobody would read them all.
+/// A count in groups of three digits, or with an exponent if it is very long.
 fn whole(count: f64) -> String {
     if count.is_infinite() {
         return "uncountably many".to_owned();
@@ -150,7 +152,7 @@ mod tests {
         }
     }
 
-    /// It was to be NaN m, or a number of 150 digits.
+    /// The spacing once had to be NaN m, or a number of 150 digits.
     #[test]
     fn water_that_no_spacing_fits_is_told_so() {
         for (depth, told) in [

@@ -1,19 +1,20 @@
-//! Which of very many places are near a given one.
+//! Search for the places near a given one, among very many.
 
 use std::collections::HashMap;
 
-/// Squares are broader than what is near by so much: divisions are rounded.
+/// Squares are larger than the reach by this factor, because divisions are rounded.
 const ROOM: f64 = 1.001;
 
-/// Numbered places, sorted into the squares of a lattice. A look at nine squares finds all that are near.
+/// Numbered places, sorted into the squares of a lattice. Nine squares contain all places near a
+/// given one.
 pub(super) struct Squares {
-    /// How far is near, metres.
+    /// Distance within which places are near, metres.
     reach: f64,
     squares: HashMap<[i64; 2], Vec<(u32, [f64; 2])>>,
 }
 
 impl Squares {
-    /// Of places that are near one another where they are closer than `reach`, metres.
+    /// For places that are near each other if they are closer than `reach`, metres.
     pub(super) fn new(reach: f64, places: impl IntoIterator<Item = (u32, [f64; 2])>) -> Squares {
         let mut sorted = Squares { reach, squares: HashMap::new() };
         for (number, place) in places {
@@ -55,7 +56,7 @@ mod tests {
             (random >> 11) as f64 / (1_u64 << 53) as f64
         };
         let scattered = (0..500).map(|_| [next() - 0.5, 0.3 * next()]);
-        // Of a lattice many are just as far as it counts.
+        // In a lattice many places are exactly at that distance.
         let lattice = (0..400).map(|k| [f64::from(k % 20) * 0.01, f64::from(k / 20) * 0.01]);
         let places: Vec<[f64; 2]> = scattered.chain(lattice).collect();
         for reach in [0.01, 0.03, 0.4] {

@@ -7,8 +7,8 @@ use super::numerics::Numerics;
 use crate::boundary::Profile;
 use crate::theory::hydrostatics::StillColumn;
 
-/// Still water up to the wall: a compressible column whose pressure, level and weight are those of
-/// the incompressible one.
+/// Still water up to the wall: a compressible column with the pressure, level and weight of the
+/// incompressible one.
 pub(super) fn still_water(frame: &Frame, lattice: Lattice, numerics: &Numerics) -> Filling {
     let (surface_density, densities) = still_densities(frame, numerics);
     let points = lattice.points(|y, _| densities(y));
@@ -33,7 +33,8 @@ pub(super) fn still_water_over(
     Filling { profile: Some(profile.clone()), balanced: true, ..filling }
 }
 
-/// Still water at another level, metres, on a floor from x = `start` on. The state equation is that of the tank.
+/// Still water at another level, metres, on a floor that begins at x = `start`. The state equation
+/// is that of the tank.
 pub(super) fn basin(
     frame: &Frame,
     lattice: Lattice,
@@ -49,7 +50,7 @@ pub(super) fn basin(
     Basin { rows: lattice.rows, points }
 }
 
-/// ρ_s of still water, and by height its density for the state and for the mass, kg/m³.
+/// ρ_s of still water, and its densities at a height, for the state and for the mass, kg/m³.
 fn still_densities(frame: &Frame, numerics: &Numerics) -> (f64, impl Fn(f64) -> [f64; 2] + use<>) {
     let sound_speed = frame.sound_speed(numerics);
     let still = StillColumn::new(frame.depth, frame.density, frame.gravity, sound_speed);

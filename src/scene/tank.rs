@@ -13,35 +13,38 @@ pub struct Tank {
     pub water: Box<dyn Scheme>,
     /// The paddle at the start of the tank; none for still water.
     pub paddle: Option<Paddle>,
-    /// What an absorbing paddle has added to its own motion so far.
+    /// The motion that an absorbing paddle has added to its own so far.
     pub added: BodyMotion,
-    /// Whether the paddle lets waves go that come back to it.
+    /// Whether the paddle absorbs waves that come back to it.
     pub absorbs: bool,
     /// The wall at its end.
     pub wall: Wall,
     /// Hydrostatic force on the right wall along x, N per metre of width.
     pub static_force: f64,
-    /// The wall's force is told, and moves the wall, relative to the run's own force at rest.
+    /// Whether the wall's force, as reported and in its motion, is relative to the run's own force
+    /// at rest.
     pub from_rest: bool,
-    /// F_th over the hydrostatic force; infinite where there is no threshold.
+    /// F_th over the hydrostatic force; infinite without a threshold.
     pub threshold_ratio: f64,
-    /// F* below which an impact is over: that of spring walls, whatever holds this wall.
+    /// F* below which an impact is over. It is that of spring walls, for any wall.
     pub impact_ratio: f64,
     /// H/h of the wave; 0 for none.
     pub wave_height_ratio: f64,
     /// Where the wave height is measured, metres from the left wall; none for no wave.
     pub wave_gauge: Option<f64>,
-    /// What the surface does there before this time is no wave of the paddle's, seconds.
+    /// Before this time, seconds, no wave at the gauge is the paddle's.
     pub crest_from: f64,
     /// Speed of a front that may hit a wall at once, m/s; 0 for none.
     pub front_speed: f64,
-    /// Of water that falls on a floor behind the wall, or of a drop that starts to stretch, m/s; 0 for none.
+    /// Speed of water that falls onto a floor behind the wall, or of a drop that starts to stretch,
+    /// m/s; 0 for none.
     pub other_speed: f64,
     /// c0, m/s.
     pub sound_speed: f64,
     /// Particle spacing along the bed, metres.
     pub spacing: f64,
-    /// The lesser of the still water's depths at the paddle and, where there is any, at the wall, metres.
+    /// The smaller of the still water's depths at the paddle and, if there is any, at the wall,
+    /// metres.
     pub least_depth: f64,
     /// Mass of the still water behind the wall, kg per metre of width.
     pub mass_behind: f64,
@@ -88,7 +91,7 @@ impl Tank {
         }
     }
 
-    /// Motions of all bodies at a time, seconds, with the wall where it is.
+    /// Motions of all bodies at a time, seconds, with the wall at its present place.
     pub fn motions(&self, time: f64) -> Motions {
         let mut motions = Motions::at_rest(self.water.walls().bodies.len());
         if let Some(paddle) = &self.paddle {
@@ -104,7 +107,7 @@ impl Tank {
         motions
     }
 
-    /// Whether the right wall stands upright.
+    /// Whether the right wall is vertical.
     pub fn upright(&self) -> bool {
         let wall = self.water.walls().bodies.get(Place::Right.number());
         wall.is_some_and(|wall| wall.plane.normal[1] == 0.0)

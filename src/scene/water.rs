@@ -1,4 +1,4 @@
-//! A filling as a scheme's water between ghosts, ready to be stepped.
+//! Turns a filling into a scheme's water between ghosts, ready to run.
 
 use super::bed_lattice::BedLattice;
 use super::contract::Walls;
@@ -17,12 +17,12 @@ use crate::scheme::{Scheme, StateEquation};
 use crate::water::SHIFT_INTERIOR;
 
 impl Filling {
-    /// A tank that is no more than this water between its walls.
+    /// A tank with only this water between its walls.
     pub(super) fn tank(&self, frame: Frame, numerics: &Numerics, path: SimdPath) -> Tank {
         Tank::of(self.water(&frame, numerics, path), frame, numerics, self.lattice.spacing[0])
     }
 
-    /// The water between its walls, ready to be stepped.
+    /// The water between its walls, ready to run.
     fn water(&self, frame: &Frame, numerics: &Numerics, path: SimdPath) -> Box<dyn Scheme> {
         let ghosts = self.ghosts(frame, numerics, self.crest);
         if numerics.scheme == SchemeChoice::Isph {
@@ -66,7 +66,8 @@ impl Filling {
         let points = if self.lattice.upright() && level {
             self.points.clone()
         } else if self.crest.is_some() {
-            // The rows that stand in above the surface need a wall, or they push the water over its crest.
+            // The extra rows above the surface need a wall, or they would push the water over its
+            // crest.
             self.packed(frame, numerics, &self.ghosts(frame, numerics, None), &state)
         } else {
             self.packed(frame, numerics, &ghosts, &state)
@@ -85,9 +86,9 @@ impl Filling {
         Box::new(water)
     }
 
-    /// The points moved to where they sit evenly in front of a leaning wall, each at the density of
-    /// its new height. Rows above the surface, left out again, stand in for what would push the
-    /// uppermost ones up.
+    /// Moves the points to even places before a leaning wall, each with the density of its new
+    /// height. Extra rows above the surface keep the uppermost rows from rising. They are removed
+    /// afterwards.
     fn packed(
         &self,
         frame: &Frame,
@@ -175,7 +176,7 @@ impl Filling {
         Box::new(Isph::new(options, ghosts, fluid, Place::Right.number(), path))
     }
 
-    /// The water as particles, from points that are the filling's or have its places.
+    /// The water as particles, from the filling's points or from points with the same places.
     fn fluid(&self, points: impl IntoIterator<Item = [f64; 4]>) -> Fluid {
         let mut fluid = Fluid::at_rest(points);
         for (k, &[vx, vy]) in self.velocities.iter().enumerate() {
@@ -184,7 +185,7 @@ impl Filling {
         fluid
     }
 
-    /// What holds the water; its right wall ends in this crest, or nowhere.
+    /// The walls around the water. The right wall ends in this crest, or does not end.
     fn ghosts(&self, frame: &Frame, numerics: &Numerics, crest: Option<CrestShape>) -> Ghosts {
         let [dx, dy] = self.lattice.spacing;
         let layout = TankLayout {

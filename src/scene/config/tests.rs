@@ -20,7 +20,7 @@ fn defaults_are_the_papers_tank() {
     }
 }
 
-/// What other values must not be stands in `tests/bad_inputs`, file by file.
+/// More bad values are in `tests/bad_inputs`, file by file.
 #[test]
 fn every_bad_value_is_told_with_its_key() {
     let caisson = "wall = \"caisson\"\nseawall_mass_kg_per_m = 60\nstatic_friction = 0.6\n\
@@ -57,7 +57,7 @@ fn every_bad_value_is_told_with_its_key() {
     }
 }
 
-/// A limit of 1e5 steps was refused as no whole number.
+/// A limit of 1e5 steps was once refused as not being a whole number.
 #[test]
 fn a_whole_number_may_have_a_point_or_an_exponent() {
     let read = |retries: &str| case("", &format!("retries = {retries}")).unwrap();

@@ -1,13 +1,13 @@
-//! Probes that are where no water comes.
+//! Probes in places that water never reaches.
 
 use crate::keys::ConfigError;
 use crate::scene::probe::{Probe, ProbeKind};
 use crate::scene::seawall::{SeawallScene, WallChoice};
 
-/// Sums of decimals are off by less, metres.
+/// Sums of decimals have smaller errors than this, metres.
 const ROUNDING: f64 = 1e-9;
 
-/// The first of each kind: one that is told of its height, and one that is told of its place along the tank.
+/// The first of each kind: one with a wrong height, and one with a wrong place along the tank.
 pub(super) fn odd(scene: &SeawallScene, probes: &[Probe]) -> [Option<ConfigError>; 2] {
     [
         buried(scene, probes).or_else(|| walled_in(scene, probes)),
@@ -15,7 +15,7 @@ pub(super) fn odd(scene: &SeawallScene, probes: &[Probe]) -> [Option<ConfigError
     ]
 }
 
-/// Heights of probes count from the paddle's foot, also where the bed is higher.
+/// Heights of probes are measured from the paddle's foot, also where the bed is higher.
 fn buried(scene: &SeawallScene, probes: &[Probe]) -> Option<ConfigError> {
     let bed = scene.bed.as_ref()?;
     let (probe, height) = probes.iter().find_map(|it| Some((it, it.bed_over_it(bed)?)))?;
@@ -47,7 +47,7 @@ fn walled_in(scene: &SeawallScene, probes: &[Probe]) -> Option<ConfigError> {
     Some(ConfigError::new("probe.y_m", probe.y_m?, told))
 }
 
-/// Where a paddle has gone there is no water.
+/// Where a paddle has passed there is no water.
 fn passed(scene: &SeawallScene, probes: &[Probe]) -> Option<ConfigError> {
     probes.first()?;
     let stroke = scene.paddle()?.goes_forth();
@@ -59,7 +59,8 @@ fn passed(scene: &SeawallScene, probes: &[Probe]) -> Option<ConfigError> {
     Some(ConfigError::new("probe.x_m", x, told))
 }
 
-/// A wall that leans away, moves or lets water fall behind it has water farther than it stands; others have not.
+/// If a wall leans away, moves or lets water fall behind it, water goes farther than the wall.
+/// Otherwise it does not.
 fn outside(scene: &SeawallScene, probes: &[Probe]) -> Option<ConfigError> {
     let flies_on = scene.crest.is_some() && scene.floor.is_none();
     if scene.wall != WallChoice::Fixed || scene.wall_angle_deg > 90.0 || flies_on {

@@ -8,7 +8,7 @@ fn odd(scene: &str) -> Vec<String> {
     words(&CaseConfig::of(scene, ""))
 }
 
-/// With particles that stand 10 mm apart, and a probe.
+/// With a particle spacing of 10 mm, and a probe.
 fn odd_with(scene: &str, probe: &str) -> Vec<String> {
     let probe = format!("name = \"P\"\n{probe}").parse().unwrap();
     let numerics = "particle_spacing_m = 0.01".parse().unwrap();
@@ -90,7 +90,7 @@ fn slips_are_told_with_key_and_value() {
     assert!(odd("end_time_s = 1e-308")[1].starts_with("scene.end_time_s = 1e-308: "));
 }
 
-/// The story: a probe that counts from the wall's foot read 0 Pa all along.
+/// A probe whose height was measured from the wall's foot once read 0 Pa all the time.
 #[test]
 fn a_probe_under_the_bed_is_told() {
     let scene = "bed = [[0, 0], [1, 0], [2, 0.1], [2.5, 0.1]]";
@@ -108,7 +108,7 @@ fn a_probe_under_the_bed_is_told() {
     assert_eq!(told("x_m = 1.5\ny_m = 0.04").len(), 1);
 }
 
-/// The story: a gauge behind the end of the tank read a level of 0 m all along.
+/// A gauge behind the end of the tank once read a level of 0 m all the time.
 #[test]
 fn a_probe_outside_the_tank_is_told() {
     let told = |scene: &str, x: f64| odd_with(scene, &format!("kind = \"level\"\nx_m = {x}"));
@@ -128,7 +128,8 @@ fn a_probe_outside_the_tank_is_told() {
     assert_eq!(told(basin, 3.3).len(), 1);
 }
 
-/// The story: probes inside a wall, under its crest, and gauges that the paddle passed read 0 without a word.
+/// Probes inside a wall, under its crest, and gauges that the paddle passed once read 0 without a
+/// warning.
 #[test]
 fn a_probe_in_a_wall_or_in_the_paddles_way_is_told() {
     let outflow = "behind = \"outflow\"\ncrest_freeboard_m = 0.1\ncrest_width_m = 0.2";
