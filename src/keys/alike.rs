@@ -1,8 +1,8 @@
-//! Whether values are written alike.
+//! Whether values have the same text.
 
 use toml::Value;
 
-/// Whether two values have one text. 0 and -0 are equal, and have two.
+/// Whether two values have the same text. 0 and -0 are equal, but have different texts.
 pub fn alike(one: &Value, other: &Value) -> bool {
     match (one, other) {
         (Value::Float(one), Value::Float(other)) => one.to_bits() == other.to_bits(),

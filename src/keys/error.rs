@@ -1,4 +1,4 @@
-//! Bad input, told in one line: which key, which value, what is allowed.
+//! Errors of bad input in one line: the key, the value, what is allowed.
 
 /// A value that a scene or sweep file may not have.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -6,7 +6,7 @@
 pub struct ConfigError {
     /// Dotted path of the key, such as `numerics.particle_spacing_m`.
     pub key: String,
-    /// The offending value as written, empty where the key is missing or unknown.
+    /// The value as written; empty if the key is missing or unknown.
     pub value: String,
     /// What is wrong and what is allowed.
     pub allowed: String,
@@ -14,12 +14,12 @@ pub struct ConfigError {
 
 /// A longer value is cut in messages.
 const LONGEST: usize = 120;
-/// What is left of the start and of the end of what is cut.
+/// Characters kept of the start and of the end of a cut value.
 const KEPT: [usize; 2] = [60, 40];
-/// A number of more digits is told with its power of ten.
+/// A number of more digits is written with a power of ten.
 const DIGITS: usize = 24;
 
-/// A text of more than so many characters, cut: its start, its end, and how long it is.
+/// A text of more than `longest` characters, cut: its start, its end, and its length.
 pub fn cut(text: &str, longest: usize) -> Option<String> {
     let length = text.chars().count();
     if length <= longest {
@@ -30,14 +30,14 @@ pub fn cut(text: &str, longest: usize) -> Option<String> {
     Some(format!("{start} ... {end} ({length} characters)"))
 }
 
-/// A value for people: a number of many digits with its power of ten, a long text cut.
+/// A value for people. A number of many digits gets a power of ten; a long text is cut.
 pub fn brief(value: &str) -> String {
     let number = value.parse::<f64>().ok().filter(|number| number.is_finite());
     let short = number.filter(|_| value.len() > DIGITS).map(|number| format!("{number:e}"));
     short.or_else(|| cut(value, LONGEST)).unwrap_or_else(|| value.to_owned())
 }
 
-/// A value behind its key.
+/// A value after its key.
 fn told(value: &str) -> String {
     if value.is_empty() { String::new() } else { format!(" = {}", brief(value)) }
 }
@@ -48,12 +48,13 @@ impl ConfigError {
         ConfigError { key: key.to_owned(), value: value.to_string(), allowed: allowed.into() }
     }
 
-    /// An unknown key, with the nearest known one where one is near.
+    /// An unknown key, with the nearest known one if one is near.
     pub fn unknown(key: &str, known: &[impl AsRef<str>]) -> Self {
         ConfigError::new(key, "", format!("unknown key{}", hint(leaf(key), known)))
     }
 
-    /// The same of a table in a file. Where no known key is near, it tells all, or where they are listed.
+    /// The same for a table in a file. If no known key is near, it names all keys, or the place
+    /// where they are listed.
     pub fn unknown_in_table(key: &str, known: &[impl AsRef<str>]) -> Self {
         let error = ConfigError::unknown(key, known);
         if !hint(leaf(key), known).is_empty() {
@@ -67,12 +68,12 @@ impl ConfigError {
         ConfigError { allowed: error.allowed + &taken, ..error }
     }
 
-    /// A key that stands in the wrong place, and the path at which it is known.
+    /// A key in the wrong place, and the path at which it is known.
     pub fn misplaced(key: &str, path: &str) -> Self {
         ConfigError::new(key, "", format!("unknown key; did you mean {path}?"))
     }
 
-    /// A value that is none of the names which its key takes, with the nearest where one is near.
+    /// A value that is none of the names of its key, with the nearest if one is near.
     pub fn one_of(key: &str, value: &toml::Value, names: &[impl AsRef<str>]) -> Self {
         let hint = value.as_str().map(|word| hint(word, names)).unwrap_or_default();
         let names: Vec<_> = names.iter().map(AsRef::as_ref).collect();
@@ -85,29 +86,30 @@ fn leaf(key: &str) -> &str {
     key.rsplit('.').next().unwrap_or(key)
 }
 
-/// Up to so many keys are told where none is near.
+/// At most this many keys are named if none is near.
 const FEW: usize = 8;
 
-/// From this likeness on (1 is the same word) a word is taken for another one mistyped.
+/// From this likeness on (1 is the same word) a word may be a misspelling of another.
 const NEAR: f64 = 0.88;
 
-/// `; did you mean X?`, or nothing where no known word is near.
+/// `; did you mean X?`, or nothing if no known word is near.
 pub fn hint(word: &str, known: &[impl AsRef<str>]) -> String {
     let nearest = ranked(word, known).filter(|&(likeness, _)| likeness >= NEAR);
     nearest.map(|(_, known)| format!("; did you mean {known}?")).unwrap_or_default()
 }
 
-/// The known word that is most like a word, and how much it is.
+/// The known word that is most like a word, with its likeness.
 fn ranked<'a>(word: &str, known: &'a [impl AsRef<str>]) -> Option<(f64, &'a str)> {
     let word = word.to_lowercase();
     let likeness = |known: &str| {
-        // A part of the right word, such as `stiffness`, is near however long the rest, and the nearer the shorter.
+        // A part of the right word, such as `stiffness`, is near, however long the rest is; the
+        // shorter the rest, the nearer.
         let known = known.to_lowercase();
         let share = 0.1 * word.len() as f64 / known.len() as f64;
         let part = if word.len() >= 4 && known.contains(&word) { NEAR + share } else { 0.0 };
         strsim::jaro_winkler(&word, &known).max(part)
     };
-    // Of several that are equally near the first in the list stands, where the most usual ones are.
+    // Of equally near words the first in the list is taken, because the usual ones come first.
     let all = known.iter().rev().map(AsRef::as_ref);
     all.map(|known| (likeness(known), known)).max_by(|a, b| a.0.total_cmp(&b.0))
 }

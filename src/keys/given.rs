@@ -1,4 +1,4 @@
-//! What the keys of a given table say of one another.
+//! Conditions between the keys of a table.
 
 use std::cell::LazyCell;
 
@@ -12,7 +12,7 @@ use super::section::{self, Section};
 ///
 /// # Errors
 /// The first unknown key, with the nearest known one; the first value that does not fit; the first
-/// key that belongs to other values of another.
+/// key that needs another value of another key.
 pub fn read_alone<S: Section>(table: &Table) -> Result<S, ConfigError> {
     let known = S::keys();
     if let Some(name) = table.keys().find(|name| known.iter().all(|key| key.name != name.as_str()))
@@ -24,12 +24,12 @@ pub fn read_alone<S: Section>(table: &Table) -> Result<S, ConfigError> {
     Ok(section)
 }
 
-/// Checks what keys say of one another: `given` is what a file says, `section` what holds in the end.
+/// Checks conditions between keys. `given` has the file's values, `section` all final values.
 ///
 /// # Errors
-/// A key that belongs to other values of another key; one that is needed and not there.
+/// A key that needs another value of another key; a required key that is missing.
 pub fn check_conditions<S: Section>(given: &Table, section: &S) -> Result<(), ConfigError> {
-    // Mostly no condition has to be looked at, and to write a table takes as long as to read it.
+    // Usually no condition must be checked, and writing a table takes as long as reading it.
     let complete = LazyCell::new(|| section.table());
     let holds = |when: &When| match given.contains_key(when.key) {
         true => when.holds(given),

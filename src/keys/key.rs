@@ -1,4 +1,4 @@
-//! One key of a file, as it is declared: what it means, what it may hold, where it applies, also in words.
+//! A declared key of a file: its meaning, its values, where it applies, also in words.
 
 use toml::{Table, Value};
 
@@ -12,15 +12,15 @@ use super::written;
 pub struct Key {
     /// The name in files.
     pub name: &'static str,
-    /// What it means, as its doc comment says.
+    /// Its meaning, from its doc comment.
     pub meaning: &'static str,
     /// Unit, range, and where it applies.
     pub rule: Rule,
-    /// What its type takes.
+    /// The values of its type.
     pub shape: fn() -> Shape,
-    /// The value that it has where a file gives none.
+    /// Its value if a file gives none.
     pub default: fn() -> Option<Value>,
-    /// A file must give it, wherever it applies.
+    /// Whether a file must give it wherever it applies.
     pub required: bool,
 }
 
@@ -31,7 +31,7 @@ impl AsRef<str> for Key {
 }
 
 impl Key {
-    /// Its unit as the end of its name says it: `_kg_per_m3` for kg/m³.
+    /// Its unit as in the end of its name: `_kg_per_m3` for kg/m³.
     pub fn unit_in_name(&self) -> String {
         let plain = self.rule.unit.trim_start_matches('1').to_lowercase().replace('/', "_per_");
         let plain = plain.replace(' ', "_").replace('²', "2").replace('³', "3").replace('°', "deg");
@@ -49,8 +49,8 @@ impl Key {
         self.conditions().all(|when| when.holds(values))
     }
 
-    /// Whether a section with these values has it on: it is read, no other key wins over it, and it is not
-    /// left off by default.
+    /// Whether a section with these values has it on: it is read, no other key has precedence, and
+    /// it is not off by default.
     pub fn is_on(&self, values: &Table) -> bool {
         let off = |value: &Value| {
             number(value) == Some(0.0)
@@ -64,12 +64,12 @@ impl Key {
         value.is_some_and(|value| applies && !(off_by_default && off(value)))
     }
 
-    /// What must hold where it is read.
+    /// The conditions under which it is read.
     pub fn conditions(&self) -> impl Iterator<Item = When> + use<> {
         [self.rule.only, self.rule.read].into_iter().flatten()
     }
 
-    /// What it holds where no value is given, in words.
+    /// Its value if none is given, in words.
     pub fn default_in_words(&self) -> String {
         match (self.rule.otherwise, (self.default)()) {
             (Some(words), _) => words.to_owned(),
@@ -85,7 +85,7 @@ impl Key {
         self.meaning.split_whitespace().collect::<Vec<_>>().join(" ").replace('`', "")
     }
 
-    /// The same as it is declared, and where it means anything.
+    /// The same as declared, and where it applies.
     pub fn meaning_in_markdown(&self) -> String {
         let mut text = self.meaning.trim().to_owned();
         for when in self.conditions() {
@@ -94,7 +94,7 @@ impl Key {
         text
     }
 
-    /// What it may hold.
+    /// Its allowed values.
     pub fn allowed_in_words(&self) -> String {
         let whole = if (self.shape)() == Shape::Whole { ", whole" } else { "" };
         match ((self.shape)(), self.rule.range) {
@@ -108,12 +108,12 @@ impl Key {
         }
     }
 
-    /// Where it applies; empty where it always does.
+    /// Where it applies; empty if always.
     pub fn where_in_words(&self) -> String {
         self.conditions().map(|when| when.to_string()).collect::<Vec<_>>().join(", ")
     }
 
-    /// The error of a value that its type does not take, and what the type says of it.
+    /// The error of a value that its type does not take, with the type's reason.
     pub(super) fn refuse(&self, path: &str, value: &Value, why: &str) -> ConfigError {
         match (self.shape)() {
             Shape::Text if value.is_str() => ConfigError::new(path, value, why),
@@ -127,20 +127,20 @@ impl Key {
         }
     }
 
-    /// What to write in place of a text, where this key holds a number and the text begins with one.
+    /// Advice for a text that begins with a number, if this key has a number.
     pub fn advice(&self, text: &str) -> Option<String> {
         let is_number = matches!((self.shape)(), Shape::Number | Shape::Whole);
         is_number.then(|| written::advice(text, self.rule.unit)).flatten()
     }
 
-    /// The error of a value that is not there.
+    /// The error of a missing value.
     pub(super) fn missing(&self, path: &str) -> ConfigError {
         let needed = |when| format!("is needed where {when}");
         let allowed = self.rule.only.map_or_else(|| "is missing".to_owned(), needed);
         ConfigError::new(path, "", allowed)
     }
 
-    /// Refuses numbers outside its range; whatever else has passed its type.
+    /// Refuses numbers outside its range. Other values have already passed its type.
     pub(super) fn check(&self, path: &str, value: &Value) -> Result<(), ConfigError> {
         let Some(number) = number(value) else { return Ok(()) };
         self.rule.range.check_as(path, number, (self.shape)().what())

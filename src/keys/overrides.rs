@@ -7,7 +7,7 @@ use toml::{Table, Value};
 use super::error::ConfigError;
 use crate::math::decimal;
 
-/// One `KEY=VALUE`: a path into the file and the value that goes there.
+/// One `KEY=VALUE`: a path in the file, and its value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Override {
     section: Option<String>,
@@ -33,7 +33,7 @@ impl FromStr for Override {
     }
 }
 
-/// What a text stands for: a TOML value or a number as tables print it, or else a bare string.
+/// The value of a text: a TOML value, a number as in tables, or else a bare string.
 pub fn read_value(text: &str) -> Value {
     let parsed = format!("value = {text}").parse::<Table>().ok();
     match parsed {
@@ -61,8 +61,8 @@ impl Override {
     /// Puts the value into a parsed file.
     ///
     /// # Errors
-    /// Where the section is no table, or where `[grid]` sweeps the same key. A swept key takes the place
-    /// of the single value that a section of the file has.
+    /// The section is no table, or `[grid]` sweeps the same key. A swept key replaces the single
+    /// value in a section of the file.
     pub fn apply(&self, file: &mut Table) -> Result<(), ConfigError> {
         let Some(section) = &self.section else {
             file.insert(self.key.clone(), self.value.clone());

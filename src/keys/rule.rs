@@ -1,36 +1,37 @@
-//! What a declaration says of a key: its unit, the numbers that it may hold, where it applies.
+//! The rule in a key's declaration: its unit, its numbers, where it applies.
 
 use toml::{Table, Value};
 
 use super::error::ConfigError;
 
-/// What a declaration says of a key besides its name, type, default and meaning.
+/// The part of a declaration besides a key's name, type, default and meaning.
 #[derive(Debug, Clone, Copy)]
 pub struct Rule {
     /// Unit, empty for names, counts and ratios.
     pub unit: &'static str,
-    /// Numbers that it may hold.
+    /// Allowed numbers.
     pub range: Range,
-    /// It is refused elsewhere.
+    /// The only place where it is allowed.
     pub only: Option<When>,
-    /// It is read here alone, and may stand elsewhere.
+    /// The only place where it is read. It is allowed elsewhere.
     pub read: Option<When>,
-    /// Another key that wins over it where it is given.
+    /// Another key that has precedence if it is given.
     pub unless: Option<&'static str>,
-    /// What holds where no value is given, in words.
+    /// Its value if none is given, in words.
     pub otherwise: Option<&'static str>,
-    /// What `seawall check` calls it, where its name is too long.
+    /// Its name in `seawall check`, if its own is too long.
     pub label: Option<&'static str>,
-    /// It must be given wherever it applies.
+    /// Whether it must be given wherever it applies.
     pub needed: bool,
-    /// A case at the default does not store it, and so keeps the identity that it had before the key.
+    /// Whether a case with the default leaves it out, and so keeps its identity from before the
+    /// key.
     pub newer: bool,
 }
 
-/// Numbers that a key may hold.
+/// Allowed numbers of a key.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Range {
-    /// Every one, or what the section itself checks.
+    /// All, or checked by the section itself.
     Any,
     /// Finite, above 0.
     AboveZero,
@@ -40,7 +41,7 @@ pub enum Range {
     Within(f64, f64),
 }
 
-/// Another key of the same section, and the values of it at which a key applies.
+/// Another key of the same section, with its values for which a key applies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct When {
     /// The other key.
@@ -85,17 +86,17 @@ impl Rule {
         Rule { range: Range::Within(low, high), ..self }
     }
 
-    /// Refused but where the other key has one of these values.
+    /// Refused unless the other key has one of these values.
     pub const fn only(self, key: &'static str, values: &'static [&'static str]) -> Rule {
         Rule { only: Some(When { key, values }), ..self }
     }
 
-    /// Read but where the other key has one of these values, allowed everywhere.
+    /// Read only if the other key has one of these values; allowed everywhere.
     pub const fn read_where(self, key: &'static str, values: &'static [&'static str]) -> Rule {
         Rule { read: Some(When { key, values }), ..self }
     }
 
-    /// Not told where the other key is given, which wins over it; allowed everywhere.
+    /// Left out if the other key is given, which has precedence; allowed everywhere.
     pub const fn unless(self, key: &'static str) -> Rule {
         Rule { unless: Some(key), ..self }
     }
@@ -105,7 +106,7 @@ impl Rule {
         Rule { needed: true, ..self }
     }
 
-    /// What holds where no value is given.
+    /// The value if none is given, in words.
     pub const fn otherwise(self, words: &'static str) -> Rule {
         Rule { otherwise: Some(words), ..self }
     }
@@ -115,15 +116,15 @@ impl Rule {
         Rule { label: Some(label), ..self }
     }
 
-    /// For a key that is added once there are results: at its default it changes no case's identity.
-    /// No other key may be `only` there or `read_where` it has that default.
+    /// For a key that is added after there are results. At its default it changes no case's
+    /// identity. No other key may have a condition `only` or `read_where` for this default.
     pub const fn newer(self) -> Rule {
         Rule { newer: true, ..self }
     }
 }
 
 impl Range {
-    /// Whether it holds a number.
+    /// Whether it allows a number.
     pub fn allows(self, number: f64) -> bool {
         match self {
             Range::Any => true,
@@ -146,7 +147,7 @@ impl Range {
         if self.allows(number) { Ok(()) } else { Err(wrong()) }
     }
 
-    /// What it allows of a type, in words.
+    /// The allowed values of a type, in words.
     pub(super) fn allowed(self, what: &str) -> String {
         match self {
             Range::Any => format!("must be {what}"),
@@ -158,7 +159,7 @@ impl Range {
 }
 
 impl When {
-    /// Whether a section with these values is such a one.
+    /// Whether it holds for a section with these values.
     pub fn holds(self, values: &Table) -> bool {
         let value = values.get(self.key).and_then(Value::as_str);
         value.is_some_and(|value| self.values.contains(&value))

@@ -6,8 +6,8 @@ use super::key::Key;
 use super::rule::Range;
 use super::shape::Shape;
 
-/// The schema of a table with these keys and no others. What depends on two values at once is not in
-/// it, nor what must be given only where another key has some value.
+/// The schema of a table with only these keys. It does not cover conditions on two values at once,
+/// nor keys that are required only for some value of another key.
 pub fn schema(keys: &[&Key]) -> Value {
     let properties: Map<_, _> =
         keys.iter().map(|key| (key.name.to_owned(), key.schema())).collect();

@@ -14,18 +14,17 @@ pub trait Section: Sized {
     const NAME: &'static str;
     /// Its own keys, in order.
     const KEYS: &'static [Key];
-    /// The keys of what it holds at some values of its own keys alone.
+    /// The keys of groups that it only has for some values of its own keys.
     const GROUPS: &'static [&'static [Key]];
 
-    /// Reads a table, and takes what it does not give from `base`, or else from the defaults. Keys
-    /// that the section does not know are not looked at.
+    /// Reads a table. Missing values come from `base`, or else from the defaults. Unknown keys are
+    /// ignored.
     ///
     /// # Errors
-    /// The first value of the wrong type or out of range, and the first key that must be given and
-    /// is not.
+    /// The first value of the wrong type or out of range; the first required key that is missing.
     fn read(table: &Table, base: Option<&Self>) -> Result<Self, ConfigError>;
 
-    /// All its values, as a file would give them, in the order of its keys.
+    /// All its values as in a file, in the order of its keys.
     fn entries(&self) -> Vec<(&'static str, Value)>;
 
     /// The same as a table.
@@ -33,11 +32,11 @@ pub trait Section: Sized {
         self.entries().into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
     }
 
-    /// The value of a key, as a file would give it.
+    /// The value of a key, as in a file.
     fn entry(&self, name: &str) -> Option<Value>;
 
-    /// Adds the names of all keys whose values differ. False where one of the two has a group of keys that the other
-    /// lacks.
+    /// Adds the names of all keys whose values differ. False if only one of the two has some group
+    /// of keys.
     fn differing(&self, other: &Self, names: &mut Vec<&'static str>) -> bool;
 
     /// All its keys.
@@ -54,13 +53,13 @@ pub trait Section: Sized {
     /// The section of an empty table.
     ///
     /// # Panics
-    /// Where a key must be given.
+    /// A key is required.
     fn defaults() -> Self {
         Self::read(&Table::new(), None).expect("every key has a default")
     }
 }
 
-/// What few sections hold is kept apart, so that all others stay small.
+/// Rare parts of a section are boxed, so that the others stay small.
 impl<S: Section> Section for Box<S> {
     const NAME: &'static str = S::NAME;
     const KEYS: &'static [Key] = S::KEYS;
@@ -191,10 +190,11 @@ macro_rules! section {
 }
 pub(crate) use section;
 
-/// Tables of so many entries are looked through: to hash a name takes longer.
+/// Tables with at most this many entries are searched linearly, because hashing a name takes
+/// longer.
 const FEW: usize = 12;
 
-/// What a table gives for a key.
+/// The value of a key in a table.
 pub fn given<'a>(table: &'a Table, name: &str) -> Option<&'a Value> {
     if table.len() > FEW {
         return table.get(name);
@@ -202,7 +202,7 @@ pub fn given<'a>(table: &'a Table, name: &str) -> Option<&'a Value> {
     table.iter().find(|(key, _)| *key == name).map(|(_, value)| value)
 }
 
-/// The value of a section's key, from its table or otherwise.
+/// The value of a section's key, from its table or from elsewhere.
 pub fn value<T: DeserializeOwned>(
     section: &str,
     key: &Key,
@@ -219,21 +219,22 @@ pub fn value<T: DeserializeOwned>(
     Ok(read)
 }
 
-/// A whole number that is written with a point or an exponent, as 1e5, where a key takes these alone.
+/// A whole number that is written with a point or an exponent, as 1e5, if a key only takes whole
+/// numbers.
 fn whole(key: &Key, value: &Value) -> Option<Value> {
     let number = value.as_float().filter(|number| (0.0..=f64::from(u32::MAX)).contains(number))?;
     let is_whole = number.fract() == 0.0 && (key.shape)() == Shape::Whole;
     is_whole.then_some(Value::Integer(number as i64))
 }
 
-/// What a section's table has of a key.
+/// The entry of a key in a section's table.
 pub fn stored<T: Serialize>(key: &Key, value: &T) -> Option<(&'static str, Value)> {
     let value = value_of(value)?;
     let left_out = key.rule.newer && (key.default)().as_ref() == Some(&value);
     (!left_out).then_some((key.name, value))
 }
 
-/// What a file would give; nothing for what is not there.
+/// The value as in a file; none for `None`.
 pub fn value_of<T: Serialize>(value: &T) -> Option<Value> {
     Value::try_from(value).ok()
 }

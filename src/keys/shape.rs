@@ -1,9 +1,9 @@
-//! What a type takes, as its own deserialiser asks for it.
+//! The values of a type, as its own deserialiser asks for them.
 
 use serde::de::value::Error;
 use serde::de::{DeserializeOwned, Deserializer, Error as _, Visitor};
 
-/// What a value must be.
+/// The kind of a value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shape {
     /// A number.
@@ -21,7 +21,7 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// What a type takes; of an optional one, what it takes where it is there.
+    /// The values of a type; for an optional type, its values if given.
     pub fn of<T: DeserializeOwned>() -> Shape {
         let mut shape = Shape::Text;
         let _ = T::deserialize(Asked(&mut shape));
@@ -40,7 +40,7 @@ impl Shape {
     }
 }
 
-/// Notes what it is asked for and has nothing to give.
+/// Records what it is asked for, and has no value.
 struct Asked<'a>(&'a mut Shape);
 
 impl Asked<'_> {

@@ -1,4 +1,4 @@
-//! Values that many cases have in common.
+//! Values that many cases share.
 
 use std::collections::VecDeque;
 use std::ops::{Deref, DerefMut};
@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-/// A value that is held once for all who have it. Who changes it gets one of their own.
+/// A value that is stored once for all owners. An owner that changes it gets a copy.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct Shared<T>(Arc<T>);
@@ -43,10 +43,10 @@ impl<T> From<T> for Shared<T> {
     }
 }
 
-/// So many values are remembered.
+/// Number of values that are remembered.
 const REMEMBERED: usize = 128;
 
-/// Remembers values that came lately.
+/// Remembers recent values.
 #[derive(Debug)]
 pub struct Recent<T>(VecDeque<T>);
 
@@ -57,7 +57,7 @@ impl<T> Default for Recent<T> {
 }
 
 impl<T> Recent<T> {
-    /// The value that is the one asked for; where none came lately, a new one is made and remembered.
+    /// The recent value for which `is` holds. If there is none, a new one is made and remembered.
     pub fn find(&mut self, is: impl Fn(&T) -> bool, make: impl FnOnce() -> T) -> &T {
         let at = self.0.iter().position(is).unwrap_or_else(|| {
             self.0.truncate(REMEMBERED - 1);
@@ -69,7 +69,7 @@ impl<T> Recent<T> {
 }
 
 impl<T: PartialEq> Recent<Shared<T>> {
-    /// Puts an equal value that came before into the place of this one, so that it is held once.
+    /// Replaces this value by an equal recent one, so that it is stored once.
     pub fn share(&mut self, value: &mut Shared<T>) {
         *value = self.find(|known| known == value, || value.clone()).clone();
     }

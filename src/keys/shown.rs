@@ -1,13 +1,13 @@
-//! Text of unknown origin on a terminal: nothing in it moves the cursor, and no word fills the screen.
+//! Text of unknown origin on a terminal: it must not move the cursor, and long words are cut.
 
 use std::path::Path;
 
 use super::error::cut;
 
-/// A longer word is cut. Paths are that long.
+/// A longer word is cut. Paths may be this long.
 const LONGEST: usize = 300;
 
-/// Escapes what is no text, line breaks apart, and cuts long words.
+/// Escapes all but text and line breaks, and cuts long words.
 pub fn shown(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     for piece in text.split_inclusive(char::is_whitespace) {
@@ -29,7 +29,7 @@ fn push(shown: &mut String, char: char) {
     }
 }
 
-/// A path between other words: a break in it does not begin a line.
+/// A path within a sentence: a line break in it is escaped.
 pub fn named(path: &Path) -> String {
     let mut told = String::new();
     for char in path.to_string_lossy().chars() {

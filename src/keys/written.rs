@@ -1,8 +1,8 @@
-//! Numbers as people write them: with a unit that the key's name has already.
+//! Numbers as people write them: with a unit, which the name of the key already has.
 
 use crate::math::decimal::significant;
 
-/// What others write, and what that is in a unit that keys have.
+/// Units that people write, and their values in the units of keys.
 const OTHERS: [(&str, &str, f64); 8] = [
     ("mm", "m", 1e-3),
     ("cm", "m", 1e-2),
@@ -14,8 +14,8 @@ const OTHERS: [(&str, &str, f64); 8] = [
     ("g/cm³", "kg/m³", 1e3),
 ];
 
-/// What to write in place of a number with something behind it, for a key with this unit; `None`
-/// where the text does not begin with a number.
+/// What to write instead of a number with more text, for a key with this unit. `None` if the text
+/// does not begin with a number.
 pub(super) fn advice(text: &str, unit: &str) -> Option<String> {
     let (number, rest) = split(text)?;
     let has_unit = format!("the unit, {unit}, is in the key");
