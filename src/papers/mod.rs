@@ -1,11 +1,12 @@
 //! The two papers that this program follows: their printed numbers, and how their figures are made.
 //!
-//! All of it is data. `data/paper_values.csv` holds every printed number, each with its figure, unit and how
-//! it was read. `data/papers.toml` holds the scenes that the numbers belong to, and why some are not met.
-//! `data/paper_figures.toml` says for every figure and table what it shows and which of the shipped
-//! [`files`] it takes, or why it cannot be made.
+//! - `data/paper_values.csv` has every printed number, with its figure, its unit and how it was
+//!   read.
+//! - `data/papers.toml` has the scenes of the numbers, and why some are not met.
+//! - `data/paper_figures.toml` has, for every figure and table, its content and the shipped
+//!   [`files`] that it needs, or why it cannot be made.
 //!
-//! The files are inside the program. What a study has to say of them is the report's business.
+//! The files are inside the program. The report compares them with studies.
 
 pub mod files;
 mod printed;

@@ -6,8 +6,9 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use super::span::Span;
 
-/// When the paddle passes the middle of its stroke on the papers' clock, seconds: so for every wave, by
-/// the times they print (see `docs/physics.md`). Their time = time - `stroke_centre_s` + this.
+/// Time at which the paddle passes the middle of its stroke on the papers' clock, seconds. It is
+/// the same for every wave, by their printed times (see `docs/physics.md`). Their time = time -
+/// `stroke_centre_s` + this.
 pub const PAPER_CLOCK_CENTRE_S: f64 = 1.0;
 
 /// How a number was read.
@@ -22,7 +23,7 @@ pub enum Read {
     AtLeast,
     /// From two printed numbers.
     Derived,
-    /// From words, such as "flat", that stand for no change.
+    /// From words that mean no change, such as "flat".
     Words,
 }
 
@@ -34,9 +35,9 @@ pub struct Printed {
     pub paper: String,
     /// Number of the figure that it belongs to.
     pub figure: String,
-    /// Which scene, see [`super::scenes`].
+    /// Its scene, see [`super::scenes`].
     pub scene: String,
-    /// H/h; any where there is none.
+    /// H/h; if there is none, any.
     #[serde(deserialize_with = "span")]
     pub wave_height_ratio: Option<Span>,
     /// k, N/m.
@@ -45,10 +46,11 @@ pub struct Printed {
     /// m, kg/m.
     #[serde(deserialize_with = "span")]
     pub seawall_mass_kg_per_m: Option<Span>,
-    /// Where along the stiffness: log₁₀ k*.
+    /// Its place along the stiffness: log₁₀ k*.
     pub log10_k_star: Option<f64>,
-    /// What it is: a column of the summary (`first_force_max`, or `first_force_max_time_s` on the papers'
-    /// clock), a column of the history at `time_s`, or what `report::papers` knows besides.
+    /// Its quantity. This is a column of the summary (`first_force_max`, or
+    /// `first_force_max_time_s` on the papers' clock), a column of the history at `time_s`, or one
+    /// known to `report::papers`.
     pub quantity: String,
     /// When, on the papers' clock, seconds.
     pub time_s: Option<f64>,
@@ -60,7 +62,7 @@ pub struct Printed {
     pub read: Read,
     /// Why it may not be met, see [`super::cause`]; may be empty.
     pub cause: String,
-    /// What else is to be said of it; may be empty.
+    /// A remark; may be empty.
     pub note: String,
 }
 
@@ -82,7 +84,7 @@ pub fn printed() -> &'static [Printed] {
 }
 
 impl Printed {
-    /// Whether a case with this wave, stiffness and mass is one that it is printed for.
+    /// Whether it is printed for a case with this wave, stiffness and mass.
     pub fn holds_at(&self, place: [Option<f64>; 3]) -> bool {
         let spans =
             [self.wave_height_ratio, self.spring_stiffness_n_per_m, self.seawall_mass_kg_per_m];
@@ -91,13 +93,14 @@ impl Printed {
         })
     }
 
-    /// Whether it is a size and not a time, a share or a place on an axis.
+    /// Whether it is a size: not a time, a share or a place on an axis.
     pub fn is_size(&self) -> bool {
         matches!(self.unit.as_str(), "h" | "½ρgh²" | "m") && self.read != Read::Words
     }
 
-    /// How far a computed value may be from it and count as the same: 0.05 s, five points of a percentage,
-    /// and otherwise 5 % of it, though no less than 0.02 of a force, a runup or a displacement.
+    /// The difference up to which a computed value counts as the same. It is 0.05 s for times, five
+    /// points for percentages, and otherwise 5 %. For forces, runups and displacements it is at
+    /// least 0.02.
     pub fn tolerance(&self) -> f64 {
         let share = 0.05 * self.value.abs();
         match self.unit.as_str() {

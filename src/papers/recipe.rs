@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use serde::Deserialize;
 
-/// One figure or table of a paper: what it shows, and how it is made or why it is not.
+/// A figure or table of a paper: its content, and how it is made or why it is not.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Recipe {
@@ -12,12 +12,12 @@ pub struct Recipe {
     pub paper: String,
     /// Its number; `table-1` for a table.
     pub number: String,
-    /// What it shows, without a full stop.
+    /// Its content, without a full stop.
     pub shows: String,
-    /// What of it is made here, where that is not all of it.
+    /// The part that is made here, if not all.
     #[serde(default)]
     pub here: String,
-    /// Why it is not made; empty where it is.
+    /// Why it is not made; empty if it is.
     #[serde(default)]
     pub why_not: String,
     /// How it is drawn.
@@ -35,7 +35,7 @@ pub struct Run {
     pub name: String,
     /// The file, see [`super::files`].
     pub file: String,
-    /// What is changed in it, as by `--set`.
+    /// Changes of the file, as by `--set`.
     #[serde(default)]
     pub set: Vec<String>,
 }
@@ -53,7 +53,7 @@ pub enum Draw {
     Histories {
         /// The columns, from the top down.
         columns: Vec<String>,
-        /// A level that is drawn as a line; of the first column.
+        /// A level that is drawn as a line, in the panel of the first column.
         line: Option<f64>,
     },
     /// Runup and force at fixed walls against the wave's height.
@@ -67,22 +67,23 @@ pub enum Draw {
     Surfaces {
         /// Times on the papers' clock, seconds.
         times_s: Vec<f64>,
-        /// Beside the first-order solitary wave.
+        /// Whether to draw the first-order solitary wave too.
         #[serde(default)]
         first_order: bool,
     },
-    /// What gauges recorded.
+    /// Recordings of gauges.
     Gauges {
         /// Their names; one panel each.
         names: Vec<String>,
-        /// Over √(H/g) and ρgH of the column; otherwise over s and ρgh of the still water.
+        /// Whether axes are over √(H/g) and ρgH of the column; otherwise over s and ρgh of the
+        /// still water.
         #[serde(default)]
         column: bool,
-        /// Beside Buchner's measurements.
+        /// Whether to draw Buchner's measurements too.
         #[serde(default)]
         measured: bool,
     },
-    /// The front of a dam break on its way, beside Ritter's.
+    /// The front of a dam break over time, and Ritter's.
     Front,
     /// Time per step against the number of particles, and over that with improved Shepard.
     StepTime,
@@ -105,14 +106,14 @@ pub fn recipes() -> &'static [Recipe] {
 }
 
 impl Draw {
-    /// Whether it shows how long runs took, so that they should run one at a time.
+    /// Whether it shows running times, so that its runs should run one at a time.
     pub fn tells_times(&self) -> bool {
         *self == Draw::StepTime
     }
 }
 
 impl Recipe {
-    /// As one names it: `Fig. 13`, `Table 1`.
+    /// Its name: `Fig. 13`, `Table 1`.
     pub fn title(&self) -> String {
         match self.number.strip_prefix("table-") {
             Some(number) => format!("Table {number}"),

@@ -1,4 +1,4 @@
-//! The papers, the scenes that their numbers belong to, and why some numbers are not met.
+//! The papers, the scenes of their numbers, and why some numbers are not met.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -12,7 +12,7 @@ use crate::keys::number;
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Paper {
-    /// As one cites it in a sentence.
+    /// Its citation in a sentence.
     pub words: String,
     /// Title, journal and pages.
     pub title: String,
@@ -36,8 +36,9 @@ pub fn paper(name: &str) -> Option<&'static Paper> {
     FILE.paper.get(name)
 }
 
-/// The names of the scenes in which a case with these values of `[scene]` stands: those whose keys all
-/// have the same values there. A key that came once there were results is left out at its default.
+/// The names of the scenes to which a case with these values of `[scene]` belongs: all their keys
+/// must have the same values there. A key that was added after there were results is left out at
+/// its default.
 pub fn scenes(values: &Table) -> impl Iterator<Item = &'static str> {
     let has = |key: &str, wanted: &Value| match values.get(key) {
         Some(value) => same(value, wanted),
@@ -47,17 +48,17 @@ pub fn scenes(values: &Table) -> impl Iterator<Item = &'static str> {
     FILE.scene.iter().filter(move |(_, scene)| fits(scene)).map(|(name, _)| name.as_str())
 }
 
-/// Why a number of this cause is not met, in sentences.
+/// Why numbers of this cause are not met, in sentences.
 pub fn cause(name: &str) -> Option<&'static str> {
     FILE.cause.get(name).map(String::as_str)
 }
 
-/// What stands for a key that a case leaves out.
+/// Values of keys that a case leaves out.
 const NEWER: [(&str, &str); 3] = [("paddle", "solitary"), ("behind", "nothing"), ("bed", LEVEL)];
 /// A bed that is nowhere above the paddle's foot.
 const LEVEL: &str = "level";
 
-/// The same number, whole or not, or the same value. A bed of points may be level, too.
+/// Whether two values are equal; numbers may be whole or not. A bed of points may also be level.
 fn same(value: &Value, wanted: &Value) -> bool {
     let flat = |point: &Value| point.get(1).and_then(number) == Some(0.0);
     match (number(value).zip(number(wanted)), value.as_array()) {
@@ -89,8 +90,8 @@ mod tests {
         assert_eq!(of("kind = \"hydrostatic\""), ["still-water"]);
     }
 
-    /// The story: a wall that the wave went over, and one at the end of a beach, were held against the papers.
-    /// These have a high wall over a level bed. Nothing asked for what they do not have.
+    /// A wall that the wave went over, and one at the end of a beach, were once compared with the
+    /// papers. These have a high wall over a level bed.
     #[test]
     fn crests_beds_and_trains_are_none_of_the_papers() {
         assert_eq!(

@@ -1,8 +1,8 @@
-//! The values of a key that a printed number holds for.
+//! The values of a key for which a printed number holds.
 
 use std::str::FromStr;
 
-/// A number, or all from it on upwards or downwards.
+/// A number, or all numbers from it upwards or downwards.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Span {
     /// The lowest, or -∞.
@@ -12,7 +12,7 @@ pub struct Span {
 }
 
 impl Span {
-    /// Whether a value lies in it, to nine digits.
+    /// Whether it includes a value, to nine digits.
     pub fn holds(self, value: f64) -> bool {
         let slack = 1e-9 * value.abs();
         self.low - slack <= value && value <= self.high + slack
