@@ -1,4 +1,4 @@
-//! What a page's camera keeps of a run, and which instants of it go into the film.
+//! What a page's camera stores of a run, and the choice of instants for the film.
 
 use std::io;
 
@@ -8,15 +8,16 @@ use super::{Camera, Colour};
 use crate::scene::{CaseConfig, SeawallScene};
 use crate::simulation::{CaseResult, Film, cost};
 
-/// Frames of a film.
+/// Number of frames of a film.
 const FRAMES: usize = 60;
-/// A camera keeps so many times more, from which the film's are picked.
+/// A camera keeps up to this many times more frames, from which the film's are chosen ...
 const MOST_SPARE: usize = 8;
-/// Unless that takes more memory than this, bytes.
+/// ... unless they need more memory than this, bytes.
 const MOST_MEMORY: usize = 200_000_000;
-/// What has gone over a crest is put under the ground, which covers it: at this height, in depths.
+/// Water that was taken away behind a crest is drawn under the ground, which hides it, at this
+/// height in depths.
 const UNDER: f64 = -0.075;
-/// A film has half of its frames within so many √(h/g) of the crest.
+/// Half of a film's frames are within this many √(h/g) of the crest.
 const CLOSE: f64 = 5.0;
 
 /// The water at an instant.
@@ -24,9 +25,9 @@ const CLOSE: f64 = 5.0;
 pub(super) struct Take {
     /// Simulated time, seconds.
     pub time_s: f64,
-    /// Where both end walls are, metres from rest.
+    /// Positions of both end walls, metres from rest.
     pub walls: [f64; 2],
-    /// Of every particle, by its number: x and y in metres, and what it is coloured by.
+    /// For every particle, by its number: x and y in metres, and the value of its colour.
     pub points: Vec<Point>,
 }
 
@@ -55,12 +56,12 @@ impl Camera for PageCamera<'_> {
     }
 
     fn shoot(&mut self, film: &Film<'_>) {
-        // A run that became unstable starts anew.
+        // A run that became unstable starts again.
         self.takes.retain(|take| take.time_s < film.time_s);
         let fluid = film.fluid;
         let count = fluid.id[..fluid.len()].iter().map(|&id| id as usize + 1).max().unwrap_or(0);
         let under = (UNDER * self.config.scene.frame().depth) as f32;
-        // Who is no longer there stays under the ground where it was last seen.
+        // Particles that were taken away stay under the ground at their last x.
         let mut points: Vec<Point> = match self.takes.last() {
             Some(take) => take.points.iter().map(|&[x, ..]| [x, under, 0.0]).collect(),
             None => Vec::new(),
@@ -84,8 +85,8 @@ impl Camera for PageCamera<'_> {
     }
 }
 
-/// The film's frames, and which of them is the crest: evenly over the run, and half of them within
-/// `close` seconds of the crest.
+/// The film's frames, and the index of the crest. Half are evenly spread over the run, half are
+/// within `close` seconds of the crest.
 fn pick(takes: Vec<Take>, crest_s: f64, close: f64) -> (Vec<Take>, usize) {
     let (Some(first), Some(last)) = (takes.first(), takes.last()) else { return (takes, 0) };
     let (first, last) = (first.time_s, last.time_s);
@@ -107,7 +108,7 @@ fn pick(takes: Vec<Take>, crest_s: f64, close: f64) -> (Vec<Take>, usize) {
     (picked.collect(), if all { crest } else { place })
 }
 
-/// The place of the instant that is nearest to a time.
+/// Index of the instant nearest to a time.
 pub(super) fn nearest(takes: &[Take], time: f64) -> usize {
     let gap = |&at: &usize| (takes[at].time_s - time).abs();
     (0..takes.len()).min_by(|a, b| gap(a).total_cmp(&gap(b))).unwrap_or(0)

@@ -1,29 +1,30 @@
 //! Frames of particles as bytes.
 //!
-//! A particle has three numbers: x, y and a colour, in quanta. Particles are put in the order of the
-//! first frame: column after column, each from the bed up. The decoder can predict each number. What
-//! is coded is the difference from that prediction:
-//! - The first frame predicts from three neighbours in the lattice: one back, a column back, and both.
-//! - Later frames predict from the particle's own place in the frame before. It moves as the two
-//!   neighbours do that are known already.
+//! A particle has three numbers, x, y and a colour, in quanta. Particles are in the order of the
+//! first frame: column after column, each from the bed up. The decoder can predict each number, and
+//! only the difference from the prediction is coded:
+//! - The first frame predicts from three neighbours in the lattice: the one before, the one a
+//!   column before, and the one before that.
+//! - Later frames predict from the particle's own place in the frame before, moved like the two
+//!   neighbours that are already known.
 //!
 //! After the first frame a difference of less than one quantum is left out, so numbers are right
-//! within a quantum. Still and slow water then costs next to nothing.
+//! within a quantum. Still and slow water then needs almost no bytes.
 
 use super::coder::{Chances, Coder, Encoder};
 
 /// A particle's x, y and colour.
 pub(super) type Point = [f32; 3];
 
-/// Surroundings that are told apart: how large the differences beside, below and before were.
+/// Number of contexts: how large the differences beside, below and before were.
 const SURROUNDINGS: usize = 8;
 
-/// What frames are coded with, frame after frame.
+/// The state of coding, frame after frame.
 struct Codec<'a, C> {
     coder: &'a mut C,
     /// Particles in a column.
     column: usize,
-    /// As the decoder has them, and the last frame's displacements and differences.
+    /// Points as the decoder has them, and the last frame's displacements and differences.
     points: Vec<[i32; 3]>,
     moves: Vec<[i32; 3]>,
     differences: Vec<[i32; 3]>,
@@ -44,7 +45,7 @@ impl<'a, C: Coder> Codec<'a, C> {
         }
     }
 
-    /// Codes a frame; a decoder's `wanted` does not matter.
+    /// Codes a frame. A decoder ignores `wanted`.
     fn frame(&mut self, wanted: impl Fn(usize) -> Point) {
         for at in 0..self.points.len() {
             let wanted = wanted(at);
@@ -84,8 +85,8 @@ impl<'a, C: Coder> Codec<'a, C> {
     }
 }
 
-/// The order in which particles are coded, and how many stand in a column: columns are one `spacing`
-/// wide, in quanta.
+/// The order in which particles are coded, and the number of particles in a column. Columns are one
+/// `spacing` wide, in quanta.
 pub(super) fn order(first: &[Point], spacing: f32) -> (Vec<usize>, usize) {
     let left = first.iter().map(|point| point[0]).fold(f32::INFINITY, f32::min);
     let column = |at: usize| ((first[at][0] - left) / spacing + 0.5).floor();

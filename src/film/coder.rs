@@ -1,15 +1,15 @@
 //! Packs small whole numbers into bytes: an arithmetic coder that learns how often a bit is set
-//! (Martin 1979; the form that LZMA uses). A plain script of some twenty lines takes it apart.
+//! (Martin 1979; the form of LZMA). A plain script of some twenty lines decodes it.
 
-/// Takes or gives one bit after the other, each with its own learned chance.
+/// Writes or reads one bit after another, each with its own learned probability.
 pub(super) trait Coder {
     /// Codes a bit; a decoder ignores `bit`. Returns the bit as the decoder has it.
     fn bit(&mut self, chance: &mut u16, bit: bool) -> bool;
 }
 
-/// A chance of one half: chances of a zero are counted in 1/2048.
+/// A probability of one half; probabilities of a zero are in 1/2048.
 const HALF: u16 = 1024;
-/// Below this range another byte is due.
+/// Below this range the next byte is written.
 const SHORT: u32 = 1 << 24;
 
 fn learn(chance: &mut u16, bit: bool) {
@@ -51,7 +51,7 @@ impl Encoder {
         self.low = (self.low & 0x00ff_ffff) << 8;
     }
 
-    /// Everything written so far.
+    /// All bytes written so far.
     pub fn finish(mut self) -> Vec<u8> {
         for _ in 0..5 {
             self.shift();
@@ -78,12 +78,12 @@ impl Coder for Encoder {
     }
 }
 
-/// A number up to this size costs a bit per unit; larger ones a few bits more.
+/// Up to this size a number takes a bit per unit; larger ones take a few bits more.
 const UNARY: u32 = 14;
-/// Chances that a number needs: is it zero, its sign, its size, and what is beyond.
+/// Probabilities of a number: that it is zero, of its sign, its size, and the rest.
 const CHANCES: usize = UNARY as usize + 4;
 
-/// The chances of a number in one surrounding.
+/// The probabilities of a number in one context.
 #[derive(Debug, Clone)]
 pub(super) struct Chances([u16; CHANCES]);
 

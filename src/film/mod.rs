@@ -1,10 +1,10 @@
-//! Films of the water. A camera is a [`Monitor`] that a run shows its water to; it reads, and changes
+//! Films of the water. A camera is a [`Monitor`] that receives a run's water. It reads, and changes
 //! nothing.
 //!
-//! - `vtk` and `vtu`: files for ParaView, with everything that a particle has, and the walls;
-//! - [`PageFilm`]: one page that plays in a browser, and a still of the crest at the wall. `camera`
-//!   keeps what it saw, `reel`, `codec` and `coder` pack it, `stage` knows what stands around the
-//!   water, `title` names it, `page` and `still` draw.
+//! - `vtk` and `vtu`: files for ParaView, with all data of the particles, and the walls;
+//! - [`PageFilm`]: a page that plays in a browser, and a still of the crest at the wall. `camera`
+//!   stores the frames; `reel`, `codec` and `coder` pack them. `stage` has the surroundings of the
+//!   water. `title` names the film; `page` and `still` draw it.
 
 mod camera;
 mod codec;
@@ -46,12 +46,12 @@ fn at(path: &Path) -> impl FnOnce(io::Error) -> io::Error + '_ {
     move |error| io::Error::new(error.kind(), format!("{}: {}", named(path), in_words(&error)))
 }
 
-/// What watches one run.
+/// Watches one run.
 trait Camera: Send {
-    /// Between two instants, seconds of simulated time.
+    /// Time between two instants, seconds of simulated time.
     fn interval_s(&self) -> f64;
 
-    /// Whether it looks at the faces of walls.
+    /// Whether it needs the faces of walls.
     fn sees_faces(&self) -> bool {
         false
     }
@@ -59,16 +59,16 @@ trait Camera: Send {
     /// Takes an instant.
     fn shoot(&mut self, film: &Film<'_>);
 
-    /// Writes what is still to be written, once the run is well.
+    /// Writes the remaining files after a successful run.
     fn finish(self: Box<Self>, result: &CaseResult) -> io::Result<()>;
 
-    /// The run has failed, or was stopped: what was written already is left so that it can be looked at.
+    /// The run has failed or was stopped. Files that were written stay.
     fn stop(self: Box<Self>) {}
 }
 
 impl Filming {
-    /// Lets a case run under a monitor that films it and asks `inner` for the rest. A film that cannot be
-    /// written costs no result: its error stands beside it.
+    /// Runs a case under a monitor that films it and passes all else to `inner`. If a film cannot
+    /// be written, the result stays, and the film's error is returned beside it.
     ///
     /// # Errors
     /// The run's own.
@@ -102,8 +102,8 @@ impl Filming {
     }
 }
 
-/// Films a run, for its own monitor's eyes too. A run that is filmed keeps no checkpoints: it could not go on with
-/// its film.
+/// Films a run, and passes films on to its own monitor. A filmed run stores no checkpoints, because
+/// its film could not go on from them.
 struct Set<'a> {
     inner: &'a dyn Monitor,
     interval_s: f64,

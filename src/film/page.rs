@@ -16,15 +16,15 @@ use crate::study::CaseId;
 
 /// A page of more particles than this would be too large to open.
 const MOST_PARTICLES: u64 = 300_000;
-/// A displacement that a still can show, in depths of the still water.
+/// The smallest displacement that a still can show, in depths of the still water.
 const SEEN: f64 = 0.01;
 
-/// Where a film goes, and what it shows: `<folder>/<case_id>.html`, a still of the crest at the wall
-/// `.svg`, one of the highest runup `-highest.svg` where that is another frame, and one of the largest
-/// displacement `-furthest.svg` where the wall moves.
+/// The files of a film: `<folder>/<case_id>.html` and a still of the crest at the wall, `.svg`.
+/// Further stills are one of the highest runup, `-highest.svg`, if that is another frame, and one
+/// of the largest displacement, `-furthest.svg`, if the wall moves.
 #[derive(Debug, Clone)]
 pub struct PageFilm {
-    /// What particles are coloured by.
+    /// The quantity that colours the particles.
     pub colour: Colour,
     /// Where the files go.
     pub folder: PathBuf,
@@ -38,7 +38,7 @@ impl PageFilm {
     /// Whether a case is small enough for a page.
     ///
     /// # Errors
-    /// What is too large, and what helps, in words.
+    /// The quantity that is too large, and advice, in words.
     pub fn takes(config: &CaseConfig) -> Result<(), String> {
         let particles = cost(config).particles;
         if particles <= MOST_PARTICLES {
@@ -61,12 +61,12 @@ impl PageFilm {
         [self.still(id, "furthest"), self.still(id, "highest"), page.with_extension("svg"), page]
     }
 
-    /// A still besides that of the largest force.
+    /// A still of another instant than the largest force.
     fn still(&self, id: CaseId, of: &str) -> PathBuf {
         self.folder.join(format!("{id}-{of}.svg"))
     }
 
-    /// Writes the page, the still of one of the frames, and those of the highest runup and of the largest
+    /// Writes the page, the still of one frame, and those of the highest runup and of the largest
     /// displacement.
     pub(super) fn write(
         &self,
@@ -86,7 +86,7 @@ impl PageFilm {
             let still = still::Still { stage: &stage, take, colour: self.colour, end };
             still.svg(&title(config), &moment(config, take, result))
         };
-        // Only in a directory that is still there.
+        // Only if the directory still exists.
         if !self.folder.is_dir() {
             fs::create_dir(&self.folder).map_err(at(&self.folder))?;
         }
@@ -129,14 +129,14 @@ impl PageFilm {
         ];
         let text = include_str!("page.html").to_owned();
         let text = fields.iter().fold(text, |text, (field, value)| text.replacen(field, value, 9));
-        // A page that is there is whole: a sweep goes by that.
+        // An existing page must be complete: a sweep relies on it.
         let partial = page.with_extension("html.partial");
         fs::write(&partial, text).map_err(at(&partial))?;
         fs::rename(&partial, &page).map_err(at(&page))
     }
 }
 
-/// The first frame of the largest displacement, of walls that moved so far that it is seen.
+/// The first frame of the largest displacement, if the wall moved far enough to be seen.
 fn furthest(takes: &[Take], depth: f64) -> Option<&Take> {
     let moved = takes.iter().filter(|take| take.walls[1] > SEEN * depth);
     moved.reduce(|most, take| if take.walls[1] > most.walls[1] { take } else { most })
@@ -189,7 +189,7 @@ mod tests {
         }
     }
 
-    /// A drop was told to press by F* = 0.00 and to climb by R* = 0.00, with a still of its highest runup.
+    /// A drop was once said to have F* = 0.00 and R* = 0.00, with a still of its highest runup.
     #[test]
     fn water_without_a_wall_has_neither_force_nor_runup() {
         let root = tempfile::tempdir().unwrap();

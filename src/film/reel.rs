@@ -1,4 +1,4 @@
-//! The frames of a film, packed for the page's script with all that stands around them.
+//! The frames of a film, packed with all other data for the page's script.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -13,19 +13,20 @@ use crate::simulation::{CaseResult, HistoryRow, Maximum};
 
 /// Places are whole numbers up to this, eleven bits, ...
 const FARTHEST: f64 = 2047.0;
-/// ... but in a long tank at least so many to a particle's spacing, ...
+/// ... but in a long tank there are at least this many per particle spacing, ...
 const PER_SPACING: f64 = 4.0;
-/// ... and never up to more than sixteen bits hold.
+/// ... and never more than sixteen bits.
 const HIGHEST: f64 = 32767.0;
-/// So much coarser where that takes too much room, as water that is torn apart does.
+/// They are coarser by these factors if the film takes too much space, as with water that is torn
+/// apart.
 const COARSER: [f64; 2] = [2.0, 4.0];
-/// Room for a particle in a frame, bytes, as long as a film does not fit into little room anyway.
+/// Space for a particle in a frame, bytes, unless the film is small anyway.
 const ROOM: f64 = 0.4;
 const LITTLE_ROOM: usize = 100_000;
-/// Points of a curve.
+/// Largest number of points of a curve.
 const MOST_POINTS: usize = 800;
 
-/// Frames of a film and what is around them.
+/// The frames of a film, and their surroundings.
 pub(super) struct Reel<'a> {
     pub takes: &'a [Take],
     /// The frame of the largest force.
@@ -33,7 +34,7 @@ pub(super) struct Reel<'a> {
     /// The frame of the highest runup.
     pub highest: usize,
     pub stage: &'a Stage,
-    /// Of the scale of colours.
+    /// End of the scale of colours.
     pub end: f64,
 }
 
@@ -47,7 +48,7 @@ struct Packed {
 }
 
 impl Reel<'_> {
-    /// All that the script needs.
+    /// All data for the script.
     pub fn json(&self, result: &CaseResult) -> Value {
         let [left, low, span] = self.extent();
         let particles = self.takes[0].points.len();
@@ -77,7 +78,7 @@ impl Reel<'_> {
         film
     }
 
-    /// The frames with places in quanta of so many metres from a corner.
+    /// The frames with places in quanta of this many metres, from a corner.
     fn pack(&self, [left, low]: [f64; 2], quantum: f64) -> Packed {
         let place = |value: f32, from: f64| ((f64::from(value) - from) / quantum) as f32;
         let point =
@@ -88,7 +89,7 @@ impl Reel<'_> {
         Packed { quantum, column, bytes: codec::encode(&frames, &order, column) }
     }
 
-    /// The left and the lower side of all water, and how far it reaches, metres.
+    /// The left and the lower side of all water, and its extent, metres.
     fn extent(&self) -> [f64; 3] {
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for point in self.takes.iter().flat_map(|take| &take.points) {
@@ -101,12 +102,12 @@ impl Reel<'_> {
     }
 }
 
-/// Of places over a span of so many metres, for particles so far apart; metres.
+/// The quantum for places over this span, with this particle spacing; metres.
 fn finest_quantum(span: f64, spacing: f64) -> f64 {
     (span / FARTHEST).min(spacing / PER_SPACING).max(span / HIGHEST)
 }
 
-/// F*, R* and X* over time, each where it changes, with the ends of its axis.
+/// F*, R* and X* over time, at each change, with the ends of their axes.
 fn curves(result: &CaseResult) -> Value {
     let history = &result.history;
     let rows: Vec<_> = history.iter().step_by(history.len().div_ceil(MOST_POINTS).max(1)).collect();
@@ -138,9 +139,9 @@ fn curves(result: &CaseResult) -> Value {
     json!({ "time_s": times.collect::<Value>(), "curves": curves })
 }
 
-/// The ends of a curve's axis: up to the maximum that is quoted, in which no hit of the wall on its stop
-/// is, and down to what lasts. A spike leaves it, and so does suction that is larger than the maximum. A
-/// surface may fall by all of its depth, 1, however little it rose.
+/// The ends of a curve's axis. It goes up to the quoted maximum, which has no impact on the stop in
+/// it, and down to values that last. A spike leaves the axis, as does suction that is larger than
+/// the maximum. A surface may fall by all of its depth, 1, however little it rose.
 fn axis(values: &[f64], quoted: Option<f64>) -> [f64; 2] {
     let middle = |window: &[f64]| {
         let mut window = window.to_vec();
@@ -158,7 +159,8 @@ fn brief(value: f64) -> f64 {
     significant(value, 5)
 }
 
-/// Times to five digits of what lies between the first and the last: a recorded clock may begin far from 0.
+/// Times with five digits relative to the span from first to last. A recorded clock may begin far
+/// from 0.
 fn moments(times: impl Iterator<Item = f64> + Clone) -> impl Iterator<Item = f64> {
     let (first, last) = (times.clone().next(), times.clone().last());
     let [first, last] = [first, last].map(Option::unwrap_or_default);
@@ -171,7 +173,7 @@ fn moments(times: impl Iterator<Item = f64> + Clone) -> impl Iterator<Item = f64
 mod tests {
     use super::*;
 
-    /// A hit on the stop once set the scale, and the wave was a ripple under it.
+    /// An impact on the stop once set the scale, so that the wave was hardly visible.
     #[test]
     fn the_axis_reaches_to_the_quoted_maximum_and_a_spike_leaves_it() {
         let wave = |k: i32| 1.0 + 1.5 / (0.1 * f64::from(k - 100)).cosh();
@@ -185,8 +187,8 @@ mod tests {
         assert_eq!(axis(&[0.0, -9.0, -9.0, -9.0, -9.0, -9.0, 0.0], Some(3.0))[0], -3.0);
     }
 
-    /// The story: a wall that gave way lowered the surface by more than it had risen, and the end of the curve
-    /// was cut off below.
+    /// A wall that moved away once lowered the surface by more than it had risen, and the end of
+    /// the curve was cut off.
     #[test]
     fn a_surface_that_falls_further_than_it_rose_stays_in_the_panel() {
         let fall: Vec<_> = (0..100).map(|k| 0.38 - 0.0082 * f64::from(k)).collect();
@@ -194,7 +196,7 @@ mod tests {
         assert!(low < -0.41 && high > 0.38, "{low} to {high}");
     }
 
-    /// The story: every second of a film was one time, as its clock began at 86400 s.
+    /// Every second of a film once had the same time, because its clock began at 86400 s.
     #[test]
     fn times_far_from_zero_are_told_as_finely_as_those_near_it() {
         let told = |begin: f64| {
@@ -210,7 +212,7 @@ mod tests {
         assert_eq!(moments([1.23456789].into_iter()).collect::<Vec<_>>(), [1.2346]);
     }
 
-    /// In a flume of 23 m a two-thousandth of its length is more than a spacing.
+    /// In a flume of 23 m one two-thousandth of its length is more than a spacing.
     #[test]
     fn places_are_told_to_a_part_of_a_spacing_in_long_tanks_too() {
         assert_eq!(finest_quantum(2.5, 0.01), 2.5 / FARTHEST);

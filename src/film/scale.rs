@@ -2,7 +2,7 @@
 
 use crate::math::decimal::significant;
 
-/// What particles are coloured by.
+/// The quantity that colours the particles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum Colour {
     /// Pressure, kPa.
@@ -11,12 +11,12 @@ pub enum Colour {
     Speed,
 }
 
-/// Colours of a film; brighter for more.
+/// Number of colours of a film; brighter means more.
 pub(super) const LEVELS: usize = 64;
-/// So much of the water is not brighter than the scale's end.
+/// This share of the water is not above the scale's end.
 const SHARE_WITHIN: f64 = 0.997;
-/// Red, green and blue along the scale: that of viridis without its darkest and brightest end, as it
-/// is to be seen on black and on white.
+/// Red, green and blue along the scale. It is viridis without its darkest and brightest end, to be
+/// visible on black and on white.
 const STOPS: [[f64; 3]; 7] = [
     [69.0, 55.0, 129.0],
     [57.0, 86.0, 140.0],
@@ -28,7 +28,7 @@ const STOPS: [[f64; 3]; 7] = [
 ];
 
 impl Colour {
-    /// Its name, its unit, and how many of the run's own units make one of these.
+    /// Its name, its unit, and how many of the run's own units this unit has.
     pub(super) fn told(self) -> (&'static str, &'static str, f64) {
         match self {
             Colour::Pressure => ("pressure", "kPa", 1000.0),

@@ -1,4 +1,4 @@
-//! What stands around the water, and which part of the world a film shows.
+//! The surroundings of the water, and the part of the world that a film shows.
 
 use serde::Serialize;
 
@@ -6,19 +6,19 @@ use super::camera::Take;
 use crate::boundary::Profile;
 use crate::scene::{CaseConfig, Scene, SeawallScene, WallChoice, Walls};
 
-/// What holds the water at the end of the tank.
+/// The wall at the end of the tank.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub(super) enum WallKind {
     /// There are no walls at all.
     None,
-    /// It stands.
+    /// It is fixed.
     Fixed,
     /// It has a spring behind it.
     Spring,
     /// It slides.
     Caisson,
-    /// It stands, and ends in a crest that is drawn with the bed.
+    /// It is fixed, and ends in a crest that is drawn with the bed.
     Crest,
 }
 
@@ -47,29 +47,30 @@ pub(super) struct Stage {
     pub length: f64,
     pub spacing: f64,
     pub wall: WallKind,
-    /// Of the wall from the bed, degrees.
+    /// Angle of the wall from the bed, degrees.
     pub angle: f64,
-    /// The bed, where it is not level, and a wall that has a crest.
+    /// The bed if it is not level, and a wall with a crest.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bed: Option<Profile>,
-    /// How high walls are drawn.
+    /// Height of the walls in the drawing.
     pub tall: f64,
-    /// Height of a closed box; none where there is air.
+    /// Height of a closed box; none if there is air.
     pub lid: Option<f64>,
-    /// Where the spring is held.
+    /// Fixed end of the spring.
     pub post: f64,
     pub whole: View,
-    /// None where all of the world is near.
+    /// None if all of the world is near.
     pub near: Option<Near>,
 }
 
-/// How wide the crest of a wall is, metres.
+/// Width of a wall's crest, metres.
 fn crest_width(scene: &Scene) -> f64 {
     let crest = scene.seawall().and_then(|scene| scene.crest.as_ref());
     crest.map_or(0.0, |crest| crest.crest_width_m)
 }
 
-/// The line of the ground: the bed, a wall with a crest, and what lies behind it up to an end wall so tall.
+/// The line of the ground: the bed, a wall with a crest, and the ground behind it, up to an end
+/// wall of this height.
 fn ground(scene: &SeawallScene, tall: f64) -> Option<Profile> {
     let Some(crest) = &scene.crest else { return scene.bed.clone() };
     let length = scene.tank_length_m;
@@ -88,14 +89,14 @@ fn ground(scene: &SeawallScene, tall: f64) -> Option<Profile> {
     Profile::checked(points).ok()
 }
 
-/// How much more than a wall's crest there is to see behind its face, and how deep it lies, metres.
+/// Length behind a wall's crest that is also drawn, and its depth, metres.
 fn floor_behind(scene: &Scene) -> [f64; 2] {
     let floor = scene.seawall().and_then(|scene| scene.floor.as_ref());
     floor.map_or([0.0; 2], |floor| [floor.floor_length_m, floor.floor_height_m.min(0.0)])
 }
 
 impl Stage {
-    /// The stage of a case whose water was seen in these instants.
+    /// The stage of a case with the water in these instants.
     pub fn of(config: &CaseConfig, takes: &[Take]) -> Stage {
         let (scene, frame) = (&config.scene, config.scene.frame());
         let (depth, length) = (frame.depth, frame.length);

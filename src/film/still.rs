@@ -1,4 +1,4 @@
-//! One frame as a drawing without script.
+//! One frame as a drawing without a script.
 
 use std::fmt::Write;
 
@@ -8,14 +8,14 @@ use super::stage::{Stage, View, WallKind};
 use super::tops::Tops;
 use crate::math::decimal::significant;
 
-/// Units of the drawing across; a unit is a quarter of a pixel.
+/// Width of the drawing in units. A unit is a quarter of a pixel.
 const ACROSS: f64 = 3840.0;
-/// Above and under the water, for words and the scale, in units.
+/// Space above and under the water, for words and the scale, in units.
 const ABOVE: f64 = 260.0;
 const UNDER: f64 = 200.0;
 /// Width of lines, in units.
 const STROKE: f64 = 7.0;
-/// Grey of what is solid, on black and on white.
+/// Grey of solid parts, on black and on white.
 const SOLID: &str = "#7c8790";
 
 /// What a still shows.
@@ -23,7 +23,7 @@ pub(super) struct Still<'a> {
     pub stage: &'a Stage,
     pub take: &'a Take,
     pub colour: Colour,
-    /// Of the scale of colours.
+    /// End of the scale of colours.
     pub end: f64,
 }
 
@@ -61,7 +61,7 @@ impl Sheet {
 }
 
 impl Still<'_> {
-    /// The drawing: the water at the wall, or all of it where there is no wall.
+    /// The drawing: the water at the wall, or all of it if there is no wall.
     pub fn svg(&self, title: &str, moment: &str) -> String {
         let whole = self.stage.whole;
         let view = self.stage.near.map_or(whole, |near| {
@@ -96,9 +96,9 @@ impl Still<'_> {
         text + "</svg>\n"
     }
 
-    /// Particles as upright strokes, a path for each colour. Rows part where water is pushed up: under
-    /// the surface a particle is drawn tall, and taller where particles crowd beside it. What would
-    /// reach over the surface is cut along it.
+    /// Particles as vertical strokes, a path for each colour. Where water is pushed up, rows move
+    /// apart. So under the surface a particle is drawn taller where particles crowd beside it.
+    /// Strokes are cut along the surface.
     fn water(&self, text: &mut String, sheet: &Sheet, tops: &Tops) {
         let spacing = self.stage.spacing;
         let breadth = (1.4 * spacing * sheet.scale).max(4.0).round();
@@ -173,7 +173,7 @@ impl Still<'_> {
         }
     }
 
-    /// Where the wall stood, once it has left by more than a line is wide.
+    /// The wall's position at rest, if the wall has left it by more than a line's width.
     fn rest(&self, sheet: &Sheet) -> Option<f64> {
         let (rest, wall) = (self.stage.length, self.stage.length + self.take.walls[1]);
         let is_apart = sheet.x(wall) - sheet.x(rest) > STROKE;
@@ -201,7 +201,7 @@ impl Still<'_> {
         sheet.shape(text, &[[post, 0.0], [far, 0.0], [far, stage.depth], [post, stage.depth]]);
     }
 
-    /// The colours and what they mean.
+    /// The colours and their meaning.
     fn scale(&self, text: &mut String, top: f64) {
         let (name, unit, units) = self.colour.told();
         let (from, wide) = (620.0, 16.0);

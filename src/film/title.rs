@@ -1,4 +1,4 @@
-//! A film in words: the title of its page, and what its stills show.
+//! A film in words: the title of its page, and the titles of its stills.
 
 use super::camera::Take;
 use crate::math::decimal::significant;
@@ -39,7 +39,7 @@ fn wall(config: &CaseConfig) -> String {
             Some(format!(", {name} = {}{unit}", significant((*value)?, DIGITS)))
         })
         .collect();
-    // Of walls that move, none leans and none has a crest.
+    // Walls that move neither lean nor have a crest.
     let more = match &scene.crest {
         _ if scene.wall_angle_deg != 90.0 => format!(" at {}°", scene.wall_angle_deg),
         Some(crest) => format!(" with its crest {} m over still water", crest.crest_freeboard_m),
@@ -54,7 +54,7 @@ pub(super) fn about(config: &CaseConfig) -> String {
     format!("Case {}, particles {spacing} mm apart.", CaseId::of(config))
 }
 
-/// What a still shows: the time, and what was read then.
+/// The title of a still: the time, and the readings.
 pub(super) fn moment(config: &CaseConfig, take: &Take, result: &CaseResult) -> String {
     let row = |row: &&HistoryRow| (row.time_s - take.time_s).abs();
     let mut told = format!("t = {:.2} s", take.time_s);
@@ -72,7 +72,7 @@ pub(super) fn moment(config: &CaseConfig, take: &Take, result: &CaseResult) -> S
     told
 }
 
-/// Whether there is anything to read: water without a wall presses on none, and climbs none.
+/// Whether there are readings: without a wall there is no force and no runup.
 pub(super) fn is_read(result: &CaseResult, of: fn(&HistoryRow) -> f64) -> bool {
     result.history.iter().any(|row| of(row) != 0.0)
 }
@@ -81,7 +81,7 @@ pub(super) fn is_read(result: &CaseResult, of: fn(&HistoryRow) -> f64) -> bool {
 mod tests {
     use super::*;
 
-    /// The story: a recorded stroke was titled by the default of a wave height that nobody had asked for.
+    /// A recorded stroke was once titled by the default wave height, which nobody had asked for.
     #[test]
     fn a_recorded_stroke_has_no_height() {
         let scene = "paddle = \"recorded-stroke\"\nend_time_s = 3\nrecorded_stroke = \"sweeps/scenes/recorded_stroke.csv\"";

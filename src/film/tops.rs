@@ -1,33 +1,34 @@
-//! The surface of the water that stands on the bed, as a still draws it.
+//! The surface of the water that stands on the bed, for stills.
 
 use super::camera::Take;
 use super::stage::{Stage, View, WallKind};
 
 /// Width of a bin, spacings.
 const BIN: f64 = 1.5;
-/// From a particle to the next one above it there are at most so many spacings in water at ease.
+/// In undisturbed water the next particle above is at most this many spacings away.
 const APART: f64 = 2.5;
-/// Particles of a bin within so many spacings above and below belong to a row, however steep it is.
+/// Particles of a bin within this many spacings above and below belong to a row, however steep it
+/// is.
 const ROW: f64 = 1.5;
-/// Where a jet is squeezed, rows part in proportion to how many particles stand in a bin of a row: water keeps its
-/// area. This is more than their share, as no row is level.
+/// Where a jet is narrow, rows move apart in proportion to the number of particles in a bin of a
+/// row, because water keeps its area. This is larger than their share, because no row is level.
 const SHARE: f64 = 1.2 / BIN;
 
 /// The top of the water that stands on the bed, in bins along the tank.
 pub(super) struct Tops {
     left: f64,
     spacing: f64,
-    /// The heights of a bin's particles, rising.
+    /// The heights of a bin's particles, in rising order.
     bins: Vec<Vec<f64>>,
     /// None where there is no such water.
     heights: Vec<Option<f64>>,
 }
 
 impl Tops {
-    /// In every bin climbs from the bed, or from a wall that leans over it, until a gap.
+    /// In every bin it goes up from the bed, or from a wall that leans over it, to the first gap.
     pub fn of(stage: &Stage, take: &Take, view: &View) -> Tops {
         let spacing = stage.spacing;
-        // Bins end at the wall: one that it cuts would hold too few particles.
+        // Bins end at the wall. A bin that is cut by it would have too few particles.
         let wall = stage.length + take.walls[1];
         let left = wall - ((wall - view.x0) / (BIN * spacing)).ceil() * BIN * spacing;
         let open = stage.wall != WallKind::None && stage.lid.is_none();
@@ -44,7 +45,8 @@ impl Tops {
             let middle = tops.middle(bin);
             let behind = middle - wall;
             let bed = stage.bed_at(middle);
-            // An upright side of a basin cuts a bin: its middle is in the wall, and what it holds is no column.
+            // An upright side of a basin cuts a bin. The bin's middle is in the wall, and its
+            // particles are no column.
             let highest = tops.bins[bin].last().copied().unwrap_or(bed);
             if bed - highest > BIN * spacing {
                 return None;
@@ -55,7 +57,7 @@ impl Tops {
         Tops { heights: closed(&heights), ..tops }
     }
 
-    /// Half a spacing above the highest particle that a way without gaps leads up to.
+    /// Half a spacing above the highest particle that is reached without gaps.
     fn climb(&self, bin: usize, from: f64) -> Option<f64> {
         let mut top = from;
         let near = |y: &f64| {
@@ -76,7 +78,7 @@ impl Tops {
         self.left + (bin as f64 + 0.5) * BIN * self.spacing
     }
 
-    /// The height of the water that a particle's row is, without the height that the row itself reaches over.
+    /// Height of the water of a particle's row, less the height over which the row itself extends.
     fn gap(&self, bin: usize, y: f64) -> f64 {
         let (heights, reach) = (&self.bins[bin], ROW * self.spacing);
         let below = |limit: f64| heights.partition_point(|height| *height < limit);
@@ -90,7 +92,7 @@ impl Tops {
         self.bin(x).map_or(APART * self.spacing, |bin| self.gap(bin, y))
     }
 
-    /// Between the middles of bins in a straight line.
+    /// Linear interpolation between the middles of bins.
     pub fn at(&self, x: f64) -> Option<f64> {
         let along = ((x - self.left) / (BIN * self.spacing) - 0.5).max(0.0);
         let bin = along as usize;
@@ -99,7 +101,7 @@ impl Tops {
         Some(low + (along - bin as f64) * (high - low))
     }
 
-    /// The line through the tops, to the end of the last bin, which is the wall where it is upright.
+    /// The line through the tops, to the end of the last bin. That is the wall if it is upright.
     pub fn line(&self) -> Vec<[f64; 2]> {
         let points = self.heights.iter().enumerate();
         let mut line: Vec<_> =
@@ -141,7 +143,7 @@ mod tests {
         assert_eq!(tops(&[0.0, 2.0, 1.0, 2.0, 0.0]), [0.0, 2.0, 2.0, 2.0, 0.0]);
     }
 
-    /// A bin with rows of so many particles at these heights, in spacings.
+    /// The top of a bin with rows of these numbers of particles, at these heights in spacings.
     fn top(rows: &[(usize, f64)]) -> f64 {
         let heights = rows.iter().flat_map(|&(count, y)| vec![y; count]).collect();
         let tops = Tops { left: 0.0, spacing: 1.0, bins: vec![heights], heights: Vec::new() };
@@ -159,7 +161,8 @@ mod tests {
 
     #[test]
     fn a_steep_row_is_water_where_it_is_squeezed() {
-        // Near the largest runup at a fixed wall, steep rows counted as spray: the surface had notches there.
+        // Near the largest runup at a fixed wall, steep rows once counted as spray, and the surface
+        // had notches there.
         let still = [(1, 0.5), (2, 1.5), (1, 2.5)];
         let steep = |apart: f64| -> Vec<_> {
             let count = (3.0 / apart) as usize;
@@ -169,7 +172,7 @@ mod tests {
         assert_eq!(top(&[&still[..], &steep(0.5)].concat()), 3.0, "spray, one above the other");
     }
 
-    /// The sides of a basin cut bins, and the surface fell to the floor there.
+    /// The sides of a basin cut bins, and the surface once fell to the floor there.
     #[test]
     fn the_surface_of_a_basin_goes_on_to_its_sides() {
         let scene = "behind = \"basin\"\ncrest_freeboard_m = 0.08\ncrest_width_m = 0.1\nfloor_height_m = 0\n\

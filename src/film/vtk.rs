@@ -1,5 +1,5 @@
-//! Files for ParaView: water, bed and walls as a VTU file each per instant, and a PVD file that says
-//! which belong to which time.
+//! Files for ParaView: a VTU file each of water, bed and walls per instant, and a PVD file with
+//! their times.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -15,7 +15,7 @@ use crate::study::CaseId;
 /// Where and how often to film: `<folder>/<case_id>.pvd` and `<folder>/<case_id>/<part>_<number>.vtu`.
 #[derive(Debug, Clone)]
 pub struct VtkFilm {
-    /// Between two instants, seconds of simulated time.
+    /// Time between two instants, seconds of simulated time.
     pub interval_s: f64,
     /// Where the files go.
     pub folder: PathBuf,
@@ -29,13 +29,13 @@ impl VtkFilm {
     }
 }
 
-/// Where the pictures of a case go, the times of those taken, and the first error.
+/// The place of a case's files, the times of the instants, and the first error.
 pub(super) struct VtkCamera {
     interval_s: f64,
     folder: PathBuf,
     id: String,
     has_paddle: bool,
-    /// Times and the names of what was there.
+    /// Times, and the names of the files' parts.
     taken: io::Result<Vec<(f64, Vec<&'static str>)>>,
 }
 
@@ -52,7 +52,7 @@ impl VtkCamera {
         })
     }
 
-    /// What a body is called.
+    /// The name of a body.
     fn name(&self, place: Place) -> &'static str {
         match place {
             Place::Bed => "bed",
@@ -64,7 +64,7 @@ impl VtkCamera {
         }
     }
 
-    /// Writes the files of an instant, and names them.
+    /// Writes the files of an instant; returns their names.
     fn write(&self, number: usize, film: &Film<'_>) -> io::Result<Vec<&'static str>> {
         let faces = film.faces.iter().map(|seen| (self.name(seen.place), face(seen)));
         let mut names = Vec::new();
@@ -93,7 +93,7 @@ impl Camera for VtkCamera {
 
     fn shoot(&mut self, film: &Film<'_>) {
         let Ok(taken) = &mut self.taken else { return };
-        // A run that became unstable starts anew.
+        // A run that became unstable starts again.
         taken.retain(|(time_s, _)| *time_s < film.time_s);
         let number = taken.len();
         match self.write(number, film) {
@@ -109,13 +109,13 @@ impl Camera for VtkCamera {
     }
 
     fn stop(self: Box<Self>) {
-        // The run's own failure is what is told.
+        // The run's own failure is reported instead.
         let _ = self.list();
     }
 }
 
 impl VtkCamera {
-    /// Lists what was taken.
+    /// Writes the list of instants.
     fn list(self) -> io::Result<()> {
         let mut text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n\
             <Collection>\n"
@@ -187,7 +187,7 @@ mod tests {
             let (pressure, faces) = (&[1.0, 2.5, 3.0, 0.0], std::slice::from_ref(&face));
             camera.shoot(&Film { time_s, fluid: &fluid, pressure, walls: [0.0; 2], faces });
         };
-        // The second attempt of a run takes the place of the first.
+        // The second attempt of a run replaces the first.
         [0.0, 0.1, 0.2, 0.0, 0.15].into_iter().for_each(|time_s| shoot(&mut camera, time_s));
         let result = made_up(&CaseConfig::of("", ""));
         Box::new(camera).finish(&result).unwrap();
@@ -198,7 +198,7 @@ mod tests {
         let water = fs::read_to_string(root.path().join("case/water_00001.vtu")).unwrap();
         assert!(water.contains("NumberOfPoints=\"3\"") && water.contains("density_kg_per_m3"));
 
-        // A run that failed left its instants without the list that opens them.
+        // A failed run once left its instants without the list that opens them.
         let mut failed = VtkCamera::new(root.path(), "failed".to_owned(), 0.1, true).unwrap();
         shoot(&mut failed, 0.0);
         Box::new(failed).stop();

@@ -1,8 +1,8 @@
-//! VTU files as ParaView, PyVista and meshio read them: arrays in binary, zlib-compressed, as base64.
+//! VTU files for ParaView, PyVista and meshio: arrays in binary, zlib-compressed, as base64.
 //!
-//! An array is a header of 32-bit numbers and then its blocks. The header says how many blocks there
-//! are, how many bytes a full block and a last, shorter one hold, and how long each is when
-//! compressed (VTK File Formats, `vtkZLibDataCompressor`). Numbers have seven digits.
+//! An array is a header of 32-bit numbers and then its blocks. The header has the number of blocks,
+//! the bytes of a full block and of a last, shorter one, and the compressed length of each (VTK
+//! File Formats, `vtkZLibDataCompressor`). Numbers have seven digits.
 
 use std::fmt::Write as _;
 use std::io::Write as _;
@@ -18,12 +18,12 @@ const HEAD: &str = "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" 
     byte_order=\"LittleEndian\" header_type=\"UInt32\" compressor=\"vtkZLibDataCompressor\">\n\
     <UnstructuredGrid>\n<FieldData>\n";
 
-/// What points are.
+/// How points are connected.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Cells {
-    /// Each for itself.
+    /// Not connected.
     Vertices,
-    /// Each joined with the next by a line.
+    /// Each connected to the next by a line.
     Lines,
 }
 
@@ -73,7 +73,7 @@ impl Grid {
     }
 }
 
-/// The number that VTK has for a kind of cell, the points of all cells, and where each cell's end.
+/// VTK's number for a kind of cell, the points of all cells, and the end of each cell.
 fn connected(cells: Cells, points: u32) -> (u8, Vec<u32>, Vec<u32>) {
     match cells {
         Cells::Vertices => (1, (0..points).collect(), (1..=points).collect()),
@@ -143,7 +143,7 @@ mod tests {
         let number = |bytes: &[u8], at: usize| {
             u32::from_le_bytes(bytes[4 * at..4 * at + 4].try_into().unwrap()) as usize
         };
-        // The first four numbers, then all of the header, which is padded for itself.
+        // The first four numbers, then the whole header, which is padded by itself.
         let blocks = number(&STANDARD.decode(&line[..16]).unwrap(), 0);
         let (head, body) = line.split_at((4 * (3 + blocks)).div_ceil(3) * 4);
         let (head, mut body) =
@@ -170,7 +170,7 @@ mod tests {
 
     #[test]
     fn arrays_read_back_over_several_blocks() {
-        // 4 bytes each: less than a block, two whole ones, and a block more with a rest.
+        // 4 bytes each: less than a block, two whole blocks, and three blocks with a rest.
         for points in [5, 2 * BLOCK / 4, 3 * BLOCK / 4 + 7] {
             let grid = grid(Cells::Vertices, points);
             let whole = Values::Whole((0..points as u32).rev().collect());
