@@ -1,4 +1,4 @@
-//! Whether a case that ran once more has left the same as before, to the bit.
+//! Checks whether a case that ran again gave the same results, to the bit.
 
 use std::collections::HashMap;
 use std::fs::File;
@@ -17,15 +17,15 @@ use crate::quantities::summary::{CASE_ID, WALL_TIME};
 use crate::simulation::CaseResult;
 use crate::study::{Case, Study};
 
-/// The finished cases and companions of a study that a directory holds, in the order of
-/// [`Study::runs`], from its journal alone, as far as tables and figures need them.
+/// The finished cases and companions of a study in a directory, in the order of [`Study::runs`].
+/// They are read from the journal alone, as far as tables and figures need them.
 pub fn finished(directory: &Path, study: &Study) -> Result<Vec<Option<CaseRecord>>, SweepError> {
     let mut filling = Filling::<HeldLine>::new(directory, study).blind();
     journal::read_in_blocks(directory, |lines| filling.take(lines))?;
     Ok(filling.all().0)
 }
 
-/// The same without those that are to run again.
+/// The same without those that must run again.
 ///
 /// # Errors
 /// The journal no longer has a run that has ended.
@@ -49,7 +49,7 @@ pub(super) fn finished_of(
     Ok(records)
 }
 
-/// Those of [`finished`] with all that the journal has of them. Of a large study this is gigabytes.
+/// Those of [`finished`] with all their data in the journal. For a large study this is gigabytes.
 pub fn finished_whole(
     directory: &Path,
     study: &Study,
@@ -65,9 +65,9 @@ pub fn finished_whole(
     Ok(records)
 }
 
-/// The first difference between a case's new result and its row in `summary.csv`, its energies and its files in
-/// a directory, in words; `None` where all but the wall time is the same to the bit. `records` are those of the
-/// study, see [`finished`].
+/// The first difference between a case's new result and its row in `summary.csv`, its energies and
+/// its files in a directory, in words. `None` if all except the wall time is the same to the bit.
+/// `records` are those of the study, see [`finished`].
 pub fn first_difference(
     directory: &Path,
     (study, records): (&Study, &[Option<CaseRecord>]),

@@ -1,4 +1,4 @@
-//! `histories.csv.gz`: the histories of all cases in one table, for those who read a study at once.
+//! `histories.csv.gz`: the histories of all cases in one table, for readers of a whole study.
 
 use std::fs::{self, File};
 use std::io::{BufWriter, Write};
@@ -13,9 +13,9 @@ use crate::quantities::summary::CASE_ID;
 
 const FILE_NAME: &str = "histories.csv.gz";
 
-/// Puts the histories of a directory into one table: `case_id`, and the columns of the single files
+/// Joins the histories of a directory in one table: `case_id`, and the columns of the single files
 /// with the same numbers, text for text, in the order of the summary. The same files give the same
-/// bytes. The path, or `None` where no case has a history.
+/// bytes. Returns the path, or `None` if no case has a history.
 ///
 /// # Errors
 /// A file that cannot be read or written, or histories with different columns.
@@ -23,8 +23,8 @@ pub fn write_all_histories(directory: &Path) -> Result<Option<PathBuf>, SweepErr
     write_sound_histories(directory, &|_| false, &|_, _| false)
 }
 
-/// The same without those that are left out. One that turns out to be wrong is an error, unless `spare` says that it
-/// is left out, too.
+/// The same without some cases. A history that turns out to be wrong is an error, unless `spare`
+/// allows to leave it out too.
 ///
 /// # Errors
 /// The same.
@@ -61,7 +61,7 @@ fn write(
     cases: &[(PathBuf, String)],
     spare: &dyn Fn(&Path, &SweepError) -> bool,
 ) -> Result<(), SweepError> {
-    // Neither a time stamp nor a name in its head. Slower levels save a twentieth.
+    // No time stamp and no name in its head. Slower levels save a twentieth.
     let mut table = GzBuilder::new().write(BufWriter::new(Writer(file)), Compression::fast());
     let mut columns: Option<String> = None;
     for (from, id) in cases {
@@ -85,7 +85,7 @@ fn write(
     rest.flush().map_err(SweepError::io(path))
 }
 
-/// The text of a history, which has the columns of those before it.
+/// The text of a history, which must have the columns of those before it.
 fn history(from: &Path, columns: Option<&str>) -> Result<String, SweepError> {
     let text = fs::read_to_string(from).map_err(SweepError::io(from))?;
     match text.lines().next() {

@@ -1,4 +1,5 @@
-//! Files that readers find whole or not at all: written without a name or under a temporary one, then named.
+//! Files that readers find complete or not at all. They are written without a name or under a
+//! temporary one, then named.
 
 use std::fs::{self, DirEntry, File};
 use std::path::{Path, PathBuf};
@@ -26,16 +27,16 @@ pub(super) fn write_with(
     })
 }
 
-/// The same for readers; a power cut may leave it empty or short, unless it was [synced](sync).
+/// The same for readers. A power cut may leave it empty or short, unless it was [synced](sync).
 pub(super) fn write_unsynced(path: &Path, content: &[u8]) -> Result<(), SweepError> {
-    // What is in the way of this is told by what follows.
+    // An error here shows again in the next lines.
     if disk::write_new(path, content) {
         return Ok(());
     }
     put(path, |file| disk::write(file, content).map_err(SweepError::io(path)))
 }
 
-/// What fails on the way leaves nothing behind.
+/// A failure leaves nothing behind.
 fn put(path: &Path, fill: impl FnOnce(&File) -> Result<(), SweepError>) -> Result<(), SweepError> {
     let mut name = path.file_name().unwrap_or_default().to_owned();
     name.push(TEMPORARY);
@@ -43,13 +44,13 @@ fn put(path: &Path, fill: impl FnOnce(&File) -> Result<(), SweepError>) -> Resul
     let file = disk::create(&temporary).map_err(SweepError::io(path))?;
     let renamed = || disk::rename(&temporary, path).map_err(SweepError::io(path));
     fill(&file).and_then(|()| renamed()).inspect_err(|_| {
-        // Where this fails as well, it is removed on the next start.
+        // If this fails too, the file is removed on the next start.
         let _ = disk::remove_file(&temporary);
     })
 }
 
-/// Removes from folders, where they are there, what was left half written. They are listed side by side: in those of a
-/// large study are a million files.
+/// Removes half-written files from folders that exist. The folders are listed in parallel: those of
+/// a large study have a million files.
 pub(super) fn clean(folders: &[PathBuf]) -> Result<(), SweepError> {
     let left = |folder: &PathBuf| {
         let entries = fs::read_dir(folder).into_iter().flatten().flatten();
@@ -61,7 +62,7 @@ pub(super) fn clean(folders: &[PathBuf]) -> Result<(), SweepError> {
     left.iter().try_for_each(|path| disk::remove_file(path).map_err(SweepError::io(path)))
 }
 
-/// Removes a file, where there is one.
+/// Removes a file, if it exists.
 pub(super) fn remove(path: &Path) -> Result<(), SweepError> {
     if path.exists() { disk::remove_file(path).map_err(SweepError::io(path)) } else { Ok(()) }
 }
@@ -78,7 +79,7 @@ pub(super) fn is_same(file: &File, path: &Path) -> bool {
     open.is_ok_and(|open| named.is_ok_and(|named| identity(&open) == identity(&named)))
 }
 
-/// Device and number: what a file or folder is to the system, whatever its name.
+/// Device and number: they identify a file or folder to the system, whatever its name.
 pub(super) fn identity(file: &fs::Metadata) -> [u64; 2] {
     use std::os::unix::fs::MetadataExt;
     [file.dev(), file.ino()]

@@ -1,8 +1,8 @@
-//! What has begun and not yet ended, on disk: it tells which work a process died of.
+//! A list on disk of the work that has begun and not ended. It shows which work a process died of.
 //!
-//! A line `+<id>` is written before a case or a trunk starts, `-<id>` when it has ended. What has begun
-//! and not ended when a directory is opened is a suspect: it may have taken its process with it. A
-//! suspect runs in a process of its own, whose death costs nothing but the suspect.
+//! A line `+<id>` is written before a case or a trunk starts, `-<id>` when it has ended. Work that
+//! has begun and not ended when a directory is opened is a suspect: its process may have died of
+//! it. A suspect runs in a process of its own, so that only the suspect fails if that process dies.
 
 use std::collections::BTreeSet;
 use std::fs::{self, File};
@@ -14,7 +14,7 @@ use crate::study::CaseId;
 
 const FILE_NAME: &str = "running";
 
-/// An open list of what runs.
+/// An open list of running work.
 #[derive(Debug)]
 pub struct Attempts {
     path: PathBuf,
@@ -24,7 +24,7 @@ pub struct Attempts {
 }
 
 impl Attempts {
-    /// Reads what an earlier process had begun and not ended.
+    /// Reads which work an earlier process had begun and not ended.
     pub(super) fn open(directory: &Path) -> Result<Attempts, SweepError> {
         let path = directory.join(FILE_NAME);
         let bytes = if path.exists() { fs::read(&path) } else { Ok(Vec::new()) };
@@ -38,7 +38,7 @@ impl Attempts {
         self.suspects.contains(&id)
     }
 
-    /// This case may end its process, too.
+    /// Makes this case a suspect too.
     pub fn suspect(&mut self, id: CaseId) {
         self.suspects.insert(id);
     }
@@ -48,11 +48,11 @@ impl Attempts {
         self.suspects.len()
     }
 
-    /// Something has ended, and others are about to start: one call of the system for all of them.
+    /// One piece of work has ended, and others are about to start: a single system call for all.
     pub fn turn(&mut self, ended: Option<CaseId>, begun: &[CaseId]) -> Result<(), SweepError> {
         let mut lines = String::new();
         let mut add = |sign: char, id: CaseId| {
-            // A line before it may be torn: it must not take this one with it.
+            // A line before it may be torn, and must not spoil this one.
             lines.push_str(&format!("\n{sign}{id}\n"));
         };
         if let Some(id) = ended {
@@ -65,7 +65,7 @@ impl Attempts {
         if lines.is_empty() { Ok(()) } else { self.append(&lines) }
     }
 
-    /// Everything has ended in good order.
+    /// All work has ended in order.
     pub fn close(&mut self) -> Result<(), SweepError> {
         self.running.clear();
         self.file = None;
@@ -82,7 +82,7 @@ impl Attempts {
     }
 }
 
-/// What a list says has begun and not ended. Lines that are none count for nothing.
+/// The work that has begun and not ended in a list. Invalid lines are ignored.
 fn begun(text: &str) -> BTreeSet<CaseId> {
     let mut ids = BTreeSet::new();
     for line in text.lines() {

@@ -1,4 +1,4 @@
-//! The tables that a case leaves, as text.
+//! The tables of a case, as text.
 
 use super::number;
 use crate::math::comma::csv;
@@ -17,7 +17,7 @@ pub(super) fn probe_table(probes: &ProbeTable) -> String {
     table(["time_s"].into_iter().chain(names), rows.map(|row| row.map(Some)))
 }
 
-/// What a column of the probes' tables holds.
+/// The contents of the columns of the probes' tables.
 pub(super) fn probe_columns(columns: &[ProbeColumn]) -> String {
     let row = |ProbeColumn { name, unit, method }: &ProbeColumn| {
         [name.clone(), unit.clone(), method.clone()]
@@ -38,7 +38,7 @@ pub(super) fn wave_table(rows: &[WaveRow]) -> String {
     declared(quantities::wave::ALL, rows, |column, row| Some((column.read)(row)))
 }
 
-/// The largest pressures up the wall; without a first impact its cells are empty.
+/// The largest pressures up the wall. Without a first impact its cells are empty.
 pub(super) fn envelope_table(rows: &[EnvelopeRow]) -> String {
     declared(quantities::envelope::ALL, rows, |column, row| (column.read)(row))
 }
@@ -54,7 +54,7 @@ fn declared<Read, Row>(
     table(columns.iter().map(|column| column.name), cells)
 }
 
-/// A table of numbers; what there is none of is an empty cell.
+/// A table of numbers; a missing number is an empty cell.
 fn table<'a>(
     names: impl Iterator<Item = &'a str>,
     rows: impl Iterator<Item = impl Iterator<Item = Option<f64>>>,
@@ -72,7 +72,7 @@ fn table<'a>(
     text
 }
 
-/// A table with words in it, which may hold commas.
+/// A table with words, which may have commas.
 fn worded(header: [&str; 3], rows: impl Iterator<Item = [String; 3]>) -> String {
     csv(std::iter::once(header.map(str::to_owned)).chain(rows))
 }

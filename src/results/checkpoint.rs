@@ -1,9 +1,9 @@
-//! A checkpoint of a case that takes long, `checkpoints/<id>.case`, or of a shared stretch,
-//! `<id>.trunk`.
+//! A checkpoint of a long case, `checkpoints/<id>.case`, or of a trunk, `<id>.trunk`.
 //!
-//! A file is a line of JSON, `{"sum":"<16 hexadecimal digits>","checkpoint":<head>}`, and the state of
-//! the run, as bytes. The sum is the start of SHA-256 over the head's text and the state. It is replaced
-//! whole. It counts for the build that wrote it alone: another one starts over, to its own bits.
+//! A file is a line of JSON, `{"sum":"<16 hexadecimal digits>","checkpoint":<head>}`, and the state
+//! of the run, as bytes. The sum is the start of SHA-256 over the head's text and the state. The
+//! file is always replaced as a whole. Only the build that wrote it can use it; another build
+//! starts again, with its own bits.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -22,14 +22,14 @@ use crate::study::CaseId;
 pub(super) const FOLDER: &str = "checkpoints";
 /// Ending of the files of cases.
 pub(super) const CASE: &str = "case";
-/// Ending of those of shared stretches.
+/// Ending of the files of trunks.
 pub(super) const TRUNK: &str = "trunk";
-/// Changes whenever the layout of the file does; that of the state changes with the build.
+/// Changes whenever the layout of the file does. The layout of the state changes with the build.
 const LAYOUT: u32 = 1;
-/// What stands before the sum, and between it and the head.
+/// The text before the sum, and between it and the head.
 const FRAME: [&str; 2] = ["{\"sum\":\"", "\",\"checkpoint\":"];
 
-/// What stands before the state.
+/// The head, which comes before the state.
 #[derive(Debug, Serialize, Deserialize)]
 pub(super) struct Head {
     layout: u32,
@@ -39,7 +39,7 @@ pub(super) struct Head {
 }
 
 impl Head {
-    /// The line that stands before a state.
+    /// The line before a state.
     fn line(&self, state: &[u8]) -> String {
         let head = serde_json::to_string(self).expect("plain data has a JSON form");
         let ([before, between], sum) = (FRAME, checksum_of([head.as_bytes(), state]));
@@ -47,7 +47,7 @@ impl Head {
     }
 }
 
-/// The checkpoint of a case or of a shared stretch, which may be there or not.
+/// The checkpoint of a case or of a trunk, which may exist or not.
 #[derive(Debug, Clone)]
 pub struct Checkpoint {
     directory: PathBuf,
@@ -57,12 +57,12 @@ pub struct Checkpoint {
 }
 
 impl Checkpoint {
-    /// That of a case in an output directory, run with these instructions.
+    /// That of a case in an output directory, run with this instruction set.
     pub fn of_case(directory: &Path, id: CaseId, simd: SimdPath) -> Checkpoint {
         Checkpoint::of(directory, id, CASE, simd)
     }
 
-    /// That of a shared stretch.
+    /// That of a trunk.
     pub fn of_trunk(directory: &Path, id: CaseId, simd: SimdPath) -> Checkpoint {
         Checkpoint::of(directory, id, TRUNK, simd)
     }
@@ -77,8 +77,8 @@ impl Checkpoint {
         &self.path
     }
 
-    /// Replaces it by this state, which is on the disk afterwards. A rank that does not see the sweep's
-    /// directory keeps nothing.
+    /// Replaces it by this state and waits until that is on the disk. A rank that does not see the
+    /// sweep's directory writes nothing.
     pub fn write(&self, state: &[u8]) -> Result<(), SweepError> {
         if !self.directory.join(journal::FILE_NAME).is_file() {
             return Ok(());
@@ -96,10 +96,10 @@ impl Checkpoint {
         })
     }
 
-    /// Its state; `None` where there is none.
+    /// Its state; `None` if there is none.
     ///
     /// # Errors
-    /// Why it cannot be gone on from, in words that follow its name.
+    /// Why it cannot be used, in words that follow its name.
     pub fn read(&self) -> Result<Option<Vec<u8>>, String> {
         if !self.path.exists() {
             return Ok(None);
@@ -119,7 +119,7 @@ impl Checkpoint {
     }
 }
 
-/// The head of a whole file, and where its state begins; `None` where anything is damaged.
+/// The head of a complete file, and the start of its state; `None` if anything is damaged.
 pub(super) fn whole(bytes: &[u8]) -> Option<(Head, usize)> {
     let end = bytes.iter().position(|&byte| byte == b'\n')?;
     let (sum, rest) = split(&bytes[..end], FRAME)?;

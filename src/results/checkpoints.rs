@@ -11,10 +11,10 @@ use crate::keys::named;
 use crate::math::simd::SimdPath;
 use crate::study::CaseId;
 
-/// For checkpoints of more cases the folder is listed.
+/// For checkpoints of more cases than this, the folder is listed.
 const ASKED: usize = 100;
 
-/// Every file that stands for a checkpoint, with its id and whether it is that of a case.
+/// All files that are named as checkpoints, with their id and whether they belong to a case.
 fn files(directory: &Path) -> Vec<(PathBuf, CaseId, bool)> {
     let entries = fs::read_dir(directory.join(FOLDER)).into_iter().flatten().flatten();
     let mut files: Vec<_> = entries
@@ -34,7 +34,7 @@ pub fn has_checkpoints(directory: &Path) -> bool {
     !files(directory).is_empty()
 }
 
-/// The cases that can go on from a checkpoint, and in words what is wrong with others.
+/// The cases that can go on from a checkpoint, and the faults of others in words.
 pub(super) fn look(directory: &Path, simd: SimdPath) -> (BTreeSet<CaseId>, Vec<String>) {
     let (mut cases, mut findings) = (BTreeSet::new(), Vec::new());
     for (path, id, is_case) in files(directory) {
@@ -57,7 +57,7 @@ pub(super) fn damaged(directory: &Path) -> impl Iterator<Item = PathBuf> {
     files(directory).into_iter().map(|(path, ..)| path).filter(is_damaged)
 }
 
-/// Removes those of finished cases, and what was left half written.
+/// Removes those of finished cases, and half-written files.
 pub(super) fn tidy(
     directory: &Path,
     finished: impl IntoIterator<Item = CaseId>,
@@ -76,7 +76,7 @@ pub(super) fn remove(
         return Ok(());
     }
     let cases: Vec<CaseId> = cases.into_iter().collect();
-    // The folder has few files, and there may be a million cases.
+    // The folder has few files, but there may be a million cases.
     let listed = || files(directory).into_iter().map(|(_, id, _)| id).collect();
     let there: Option<BTreeSet<CaseId>> = (cases.len() > ASKED).then(listed);
     for id in cases.into_iter().filter(|id| there.as_ref().is_none_or(|there| there.contains(id))) {

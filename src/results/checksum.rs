@@ -1,4 +1,4 @@
-//! Short sums that tell damage.
+//! Short checksums that show damage.
 
 use std::io::{Read, Result};
 
@@ -14,14 +14,14 @@ pub(super) fn checksum(bytes: &[u8]) -> String {
     checksum_of([bytes])
 }
 
-/// The same over pieces, one behind the other.
+/// The same over pieces, one after another.
 pub(crate) fn checksum_of<'a>(pieces: impl IntoIterator<Item = &'a [u8]>) -> String {
     let mut hash = Sha256::new();
     pieces.into_iter().for_each(|piece| hash.update(piece));
     digits(hash)
 }
 
-/// The same over all that is left to be read, and how many bytes that was.
+/// The same over the rest of a reader, and its number of bytes.
 pub(super) fn checksum_of_rest(mut from: impl Read) -> Result<(u64, String)> {
     let (mut hash, mut bytes) = (Sha256::new(), 0);
     let mut buffer = vec![0; 1 << 20];
@@ -35,7 +35,7 @@ pub(super) fn checksum_of_rest(mut from: impl Read) -> Result<(u64, String)> {
     }
 }
 
-/// Takes a text apart that carries a sum: the sum, which follows `before`, and what follows `between`.
+/// Splits a text with a sum: the sum, which follows `before`, and the text after `between`.
 pub(super) fn split<'a>(
     text: &'a [u8],
     [before, between]: [&str; 2],

@@ -2,7 +2,7 @@
 
 use std::time::{SystemTime, UNIX_EPOCH};
 
-/// The present in UTC, as `2024-05-01T12:00:00Z`.
+/// The present time in UTC, as `2024-05-01T12:00:00Z`.
 pub fn timestamp() -> String {
     let seconds = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs());
     format_utc(seconds)

@@ -1,10 +1,10 @@
-//! What a large study has left at its end: `closing.json`.
+//! The end of a large study: `closing.json`.
 //!
-//! To read every file of a million cases takes a minute. A study of so many is closed once all of it is done and
-//! on the disk. While its directory is still as it was then, nothing has to be read again: not the journal, not
-//! the cases' files, not the grid. What counts is length and time of the last change of every file and folder in
-//! the directory; a folder changes when a file in it is made, replaced or removed. A bit that has flipped in a file
-//! changes neither, and is found by [`super::verify`].
+//! Reading every file of a million cases takes a minute. So a large study is closed once all of it
+//! is done and on the disk. As long as its directory has not changed since, nothing must be read
+//! again: not the journal, not the cases' files, not the grid. A change shows in the length or the
+//! last change of any file or folder in the directory. A folder changes when a file in it is made,
+//! replaced or removed. A flipped bit in a file changes neither, and is found by [`super::verify`].
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -21,29 +21,30 @@ const FILE_NAME: &str = "closing.json";
 /// The end of a study.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Closing {
-    /// What had been asked for: a sum over the build, the sweep file and what the command line set.
+    /// The request: a sum over the build, the sweep file and the settings of the command line.
     pub asked: String,
-    /// What was to be filmed.
+    /// The cases to be filmed.
     pub films: Vec<String>,
-    /// How many cases had failed.
+    /// Number of failed cases.
     pub failed: usize,
-    /// What was told of the cases.
+    /// The report on the cases.
     pub told: String,
-    /// Length and last change, in nanoseconds, of what was in the directory.
+    /// Length and last change, in nanoseconds, of all files in the directory.
     found: BTreeMap<String, (u64, u64)>,
 }
 
 impl Closing {
-    /// Studies of more cases than this are closed. Smaller ones are read whole whenever they are opened.
+    /// Studies with more cases than this are closed. Smaller ones are read whole whenever they are
+    /// opened.
     pub const ABOVE: usize = 10_000;
 
-    /// A study that has just come to its end.
+    /// A study that has just ended.
     pub fn new(asked: &str, films: &[String], failed: usize, told: String) -> Closing {
         let found = BTreeMap::new();
         Closing { asked: asked.to_owned(), films: films.to_vec(), failed, told, found }
     }
 
-    /// Closes a directory as it is now. All that is in it must be on the disk.
+    /// Closes a directory in its present state. All of it must be on the disk.
     ///
     /// # Errors
     /// A file that cannot be written, a folder that cannot be read.
@@ -52,14 +53,15 @@ impl Closing {
         sealed::write(&directory.join(FILE_NAME), &Closing { found, ..self })
     }
 
-    /// How a directory was closed; `None` where it was not, has changed since, or what tells of it is damaged.
+    /// How a directory was closed. `None` if it was not closed, has changed since, or the file is
+    /// damaged.
     pub fn read(directory: &Path) -> Option<Closing> {
         let closing: Closing = sealed::read(&directory.join(FILE_NAME))?;
         (look(directory).ok()? == closing.found).then_some(closing)
     }
 }
 
-/// What is in a directory, but for this file and the lock.
+/// The files of a directory, without this file and the lock.
 fn look(directory: &Path) -> std::io::Result<BTreeMap<String, (u64, u64)>> {
     let mut found = BTreeMap::new();
     for entry in fs::read_dir(directory)? {

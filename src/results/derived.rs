@@ -1,8 +1,9 @@
-//! What the files that are made last were when they were made: `derived.json`.
+//! Checksums of the files that are made last: `derived.json`.
 //!
-//! Journal, manifest and the files of cases have sums of their own, and `summary.csv` and `energy.csv` are compared
-//! with the journal. Here stands the rest: page, figures, tables, films, files for ParaView. Whoever makes them again first takes their
-//! seals away, so that a process which dies meanwhile leaves no false ones.
+//! Journal, manifest and the files of cases have sums of their own, and `summary.csv` and
+//! `energy.csv` are compared with the journal. This file is for the rest: page, figures, tables,
+//! films, files for ParaView. Before they are made again, their seals are removed. So a process
+//! that dies meanwhile leaves no false seals.
 
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
@@ -21,25 +22,25 @@ use super::{disk, sealed};
 const FILE_NAME: &str = "derived.json";
 const FILES: [&str; 3] = ["histories.csv.gz", "max_error.csv", "report.html"];
 const FOLDERS: [&str; 4] = ["figures", "tables", "films", "vtk"];
-/// What only a case makes that runs: starts of paths.
+/// Files that only a running case makes: starts of paths.
 const MADE_BY_RUNS: &[&str] = &["films/", "vtk/"];
-/// What a report alone does not make again.
+/// Files that a report alone does not make again.
 pub const MADE_BY_SWEEPS: &[&str] = &["films/", "vtk/", "max_error.csv"];
 
 /// The seals of a directory's derived files, by their paths in it.
 #[derive(Debug, Default, Serialize, Deserialize)]
 pub struct Derived {
     files: BTreeMap<String, Seal>,
-    /// The figures and tables of the last report. Nobody else's are removed.
+    /// The figures and tables of the last report. Only these are removed.
     #[serde(default, skip_serializing_if = "BTreeSet::is_empty")]
     reported: BTreeSet<String>,
-    /// A sweep has run its cases, and has yet to make what comes after them.
+    /// Whether a sweep has run its cases, but has not yet made the files that come after them.
     #[serde(default, skip_serializing_if = "Not::not")]
     owed: bool,
 }
 
 impl Derived {
-    /// Those of a directory; none where nothing tells of them, or what tells is damaged.
+    /// The seals of a directory; none if the file is missing or damaged.
     fn read(directory: &Path) -> Derived {
         sealed::read(&directory.join(FILE_NAME)).unwrap_or_default()
     }
@@ -48,7 +49,7 @@ impl Derived {
         sealed::write(&directory.join(FILE_NAME), self)
     }
 
-    /// All is about to be made again but what is kept, with its seals.
+    /// All files are about to be made again, except those that are kept with their seals.
     pub fn begin(directory: &Path, kept: &[&str]) -> Result<(), SweepError> {
         if !directory.join(FILE_NAME).exists() {
             return Ok(());
@@ -62,18 +63,20 @@ impl Derived {
         derived
     }
 
-    /// The same of a sweep that has run its cases. It owes all until its [`end`](Derived::end).
+    /// The same for a sweep that has run its cases. It must still make all these files, until
+    /// [`end`](Derived::end).
     pub fn owe(directory: &Path) -> Result<(), SweepError> {
         Derived { owed: true, ..Derived::begun(directory, MADE_BY_RUNS) }.write(directory)
     }
 
-    /// Whether a sweep died, or was stopped, before it had made what comes after its cases.
+    /// Whether a sweep ended before it had made the files that come after its cases.
     pub fn is_owed(directory: &Path) -> bool {
         Derived::read(directory).owed
     }
 
-    /// Everything is made, these figures and tables among it; `all` where a sweep owes nothing more. What has a seal
-    /// keeps it. Figures and tables of the report before which this one does not have are removed.
+    /// All files are made, with these figures and tables; `all` is whether a sweep has nothing left
+    /// to make. Files with a seal keep it. Figures and tables of the last report that are not in
+    /// this one are removed.
     pub fn end(directory: &Path, reported: &[String], all: bool) -> Result<(), SweepError> {
         let mut derived = Derived::read(directory);
         derived.owed &= !all;
@@ -89,7 +92,8 @@ impl Derived {
         derived.write(directory)
     }
 
-    /// These files were made or removed. One that something else stands in the way of keeps its seal, so that it is told.
+    /// These files were made or removed. If something is in the way of a file, it keeps its seal,
+    /// so that the fault shows.
     pub fn renew(directory: &Path, paths: &[PathBuf]) -> Result<(), SweepError> {
         let mut derived = Derived::read(directory);
         for path in paths {
@@ -116,7 +120,7 @@ impl Derived {
         Derived::renew(directory, &all.iter().map(|name| directory.join(name)).collect::<Vec<_>>())
     }
 
-    /// Whether any of these files is not as it was made.
+    /// Whether any of these files has changed since it was made.
     pub fn is_damaged(directory: &Path, paths: &[PathBuf]) -> bool {
         let derived = Derived::read(directory);
         paths.iter().any(|path| {
@@ -126,13 +130,13 @@ impl Derived {
     }
 }
 
-/// What is not as it was made, in words.
+/// The files that have changed since they were made, in words.
 pub(super) fn damage(directory: &Path) -> Vec<String> {
     let path = directory.join(FILE_NAME);
     let what = match fs::read(&path) {
         Ok(text) => (!sealed::is_whole(&text)).then_some("is damaged"),
         Err(_) if path.is_dir() => Some("is a directory"),
-        // A run leaves nothing that it would tell of.
+        // A run leaves no files of this kind.
         Err(_) => (!names(directory).is_empty()).then_some("is missing"),
     };
     if let Some(what) = what {
@@ -147,14 +151,14 @@ pub(super) fn damage(directory: &Path) -> Vec<String> {
     told.collect()
 }
 
-/// The derived files that there are.
+/// The derived files that exist.
 fn names(directory: &Path) -> Vec<String> {
     let files = FILES.iter().filter(|name| directory.join(name).is_file());
     let files = files.map(|name| (*name).to_owned());
     files.chain(FOLDERS.iter().flat_map(|folder| inside(directory, folder))).collect()
 }
 
-/// All files in a folder of a directory, and in its folders. A link that leads nowhere is none.
+/// All files in a folder of a directory, and in its folders. A link to nothing does not count.
 fn inside(directory: &Path, folder: &str) -> Vec<String> {
     let entries = fs::read_dir(directory.join(folder)).into_iter().flatten().flatten();
     let names = entries.filter_map(|entry| {

@@ -1,4 +1,4 @@
-//! The output directory: whose it is, who may write, and what it already holds.
+//! The output directory: its study, its lock, and its contents.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -31,26 +31,26 @@ pub struct Directory {
     waiting: Waiting,
     simd: SimdPath,
     runs: Vec<Option<Ended>>,
-    /// What the journal had of them when the tables were written; empty before.
+    /// The journal's records at the time when the tables were written; empty before.
     records: Vec<Option<CaseRecord>>,
     /// Where the files of each case are.
     left: Places,
-    /// Runs before this are cases, the others companions.
+    /// Runs before this index are cases, the others companions.
     cases: usize,
     findings: Vec<String>,
     attempts: Attempts,
     /// Cases that can go on from a checkpoint of their own.
     kept: BTreeSet<CaseId>,
-    /// What the columns of probes hold, until that is written.
+    /// The contents of the probes' columns, until they are written.
     probe_columns: Option<String>,
 }
 
 impl Directory {
-    /// Opens the directory for a study. `requested` is the user's instruction set, `widest` the widest that every rank has.
+    /// Opens the directory for a study. `requested` is the user's SIMD, `widest` that of all ranks.
     ///
     /// # Errors
-    /// Another sweep's or somebody else's directory, a damaged journal, a held lock, an
-    /// instruction set that cannot be honoured, a file that cannot be written.
+    /// A directory of another sweep or of another program, a damaged journal, a held lock, an
+    /// instruction set that is not possible, a file that cannot be written.
     pub fn open(
         path: &Path,
         study: &Study,
@@ -120,12 +120,12 @@ impl Directory {
         Ok((directory, opened))
     }
 
-    /// What was found damaged on opening, in words; the cases in question run again.
+    /// The damage found on opening, in words. The cases in question run again.
     pub fn findings(&self) -> &[String] {
         &self.findings
     }
 
-    /// What has begun and not ended; see [`Attempts`].
+    /// The list of work that has begun and not ended; see [`Attempts`].
     pub fn attempts(&mut self) -> &mut Attempts {
         &mut self.attempts
     }
@@ -135,18 +135,18 @@ impl Directory {
         &self.kept
     }
 
-    /// Forgets all checkpoints, and what was noted of files: everything has run.
+    /// Removes all checkpoints, and the notes on files, after everything has run.
     pub fn clear_checkpoints(&self) -> Result<(), SweepError> {
         Looked::forget(&self.path)?;
         checkpoints::clear(&self.path)
     }
 
-    /// Makes sure that nobody has deleted or moved the directory or its journal.
+    /// Makes sure that the directory and its journal were not deleted or moved.
     pub fn demand_in_place(&self) -> Result<(), SweepError> {
         self.journal.demand_in_place()
     }
 
-    /// Where it is.
+    /// Its path.
     pub fn path(&self) -> &Path {
         &self.path
     }
@@ -161,7 +161,7 @@ impl Directory {
         &self.runs
     }
 
-    /// The finished cases, in grid order, as far as tables need them, once these are written; see [`super::finished`].
+    /// The finished cases in grid order, once tables are written; see [`super::finished`].
     pub fn case_records(&self) -> &[Option<CaseRecord>] {
         &self.records[..self.cases.min(self.records.len())]
     }
@@ -178,12 +178,12 @@ impl Directory {
         }
     }
 
-    /// What all cases so far have left, to be looked for once more.
+    /// The files of all cases so far, for a last check.
     pub fn left(&self) -> Left {
         self.left.of(&self.runs)
     }
 
-    /// Forgets what was recorded, and stays locked: for what reads files alone.
+    /// Forgets the records, but stays locked: for work that only reads files.
     pub fn forget_records(&mut self) {
         (self.runs, self.records) = Default::default();
     }
@@ -210,12 +210,12 @@ impl Directory {
         self.take(record, filed.on_disk)
     }
 
-    /// Whether a run leaves more than its line.
+    /// Whether a run leaves files besides its line.
     fn leaves_files(&self, record: &CaseRecord) -> bool {
         record.is_ok() && record.index < self.cases
     }
 
-    /// Records a run whose files are written; they may be on the disk already.
+    /// Records a run whose files are written. They may be on the disk already.
     fn take(&mut self, record: CaseRecord, on_disk: bool) -> Result<(), SweepError> {
         if let Some(columns) = self.probe_columns.take_if(|_| files::has_probes(&record.files)) {
             probe_columns::put(&self.path, &columns)?;
@@ -231,12 +231,12 @@ impl Directory {
         Ok(())
     }
 
-    /// Puts everything recorded on the disk: if `now`, before it returns; else what has waited long enough, beside all else.
+    /// Puts records on the disk: with `now` all, before it returns; else those that have waited.
     pub fn sync(&mut self, now: bool) -> Result<(), SweepError> {
         self.waiting.sync(&self.path, &mut self.journal, now)
     }
 
-    /// Makes all tables from the journal's records, which are held from then on.
+    /// Makes all tables from the journal's records, which are kept in memory from then on.
     pub fn write_tables(&mut self, study: &Study) -> Result<(), SweepError> {
         self.demand_in_place()?;
         self.records = again::finished_of(&self.path, study, &self.runs)?;

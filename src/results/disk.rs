@@ -1,22 +1,23 @@
-//! The system calls that change a study's files, in one place: here tests make each of them fail.
+//! The system calls that change a study's files, all in one place, so that tests can make each of
+//! them fail.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{Result, Write};
 use std::path::Path;
 
-/// Makes a file, or empties it.
+/// Creates a file, or empties it.
 pub(super) fn create(path: &Path) -> Result<File> {
     faults::next()?;
     File::create(path)
 }
 
-/// Opens a file to write at its end.
+/// Opens a file for writing at its end.
 pub(super) fn append(path: &Path) -> Result<File> {
     faults::next()?;
     OpenOptions::new().append(true).create(true).open(path)
 }
 
-/// Writes all bytes; where that fails, some of them may be there.
+/// Writes all bytes. After a failure some of them may be there.
 pub(super) fn write(mut file: &File, bytes: &[u8]) -> Result<()> {
     if let Err(error) = faults::next() {
         file.write_all(&bytes[..bytes.len() / 2])?;
@@ -25,7 +26,8 @@ pub(super) fn write(mut file: &File, bytes: &[u8]) -> Result<()> {
     file.write_all(bytes)
 }
 
-/// Leaves so many bytes of a file, on the disk as well. Not every system lets files be cut that are open for appending.
+/// Cuts a file to this length, on the disk as well. Some systems cannot cut files that are open for
+/// appending.
 pub(super) fn cut(path: &Path, length: u64) -> Result<()> {
     faults::next()?;
     let file = OpenOptions::new().write(true).open(path)?;
@@ -33,15 +35,15 @@ pub(super) fn cut(path: &Path, length: u64) -> Result<()> {
     sync(&file)
 }
 
-/// Makes a file where there is none, which has no name before it is whole; whether it did. It takes less of the
-/// file system than a name that is changed.
+/// Creates a file that does not exist, which gets its name only when it is complete. Returns
+/// whether it did. This is less work for the file system than a change of name.
 #[cfg(target_os = "linux")]
 pub(super) fn write_new(path: &Path, bytes: &[u8]) -> bool {
     use rustix::fs::{AtFlags, CWD, Mode, OFlags};
     use std::os::fd::AsRawFd;
     use std::sync::atomic::{AtomicBool, Ordering};
-    /// An open file can be given a name by itself; until Linux 6.10 by root alone. Its path in `/proc` does for
-    /// everybody, and has to be looked up.
+    /// Whether an open file can be named directly; until Linux 6.10 only root could. Its path in
+    /// `/proc` works for everybody, but must be looked up.
     static BY_ITSELF: AtomicBool = AtomicBool::new(true);
     let made = || {
         faults::next()?;
@@ -63,7 +65,7 @@ pub(super) fn write_new(path: &Path, bytes: &[u8]) -> bool {
     made.is_ok()
 }
 
-/// There are no files without names elsewhere.
+/// Other systems have no files without names.
 #[cfg(not(target_os = "linux"))]
 pub(super) fn write_new(_path: &Path, _bytes: &[u8]) -> bool {
     false
@@ -81,8 +83,8 @@ pub(super) fn sync_data(file: &File) -> Result<()> {
     if cfg!(test) { Ok(()) } else { file.sync_data() }
 }
 
-/// Puts all that waits on the disk which an open folder is on, where its file system is known to do that whole;
-/// whether it did.
+/// Puts all waiting data of an open folder's file system on the disk, if that file system is known
+/// to do so completely. Returns whether it did.
 #[cfg(target_os = "linux")]
 pub(super) fn sync_all(folder: &File) -> bool {
     /// ext2 to ext4, XFS, Btrfs, in memory, overlays.
@@ -94,7 +96,7 @@ pub(super) fn sync_all(folder: &File) -> bool {
     faults::next().is_ok() && known() && (cfg!(test) || rustix::fs::syncfs(folder).is_ok())
 }
 
-/// There is no such call elsewhere.
+/// Other systems have no such call.
 #[cfg(not(target_os = "linux"))]
 pub(super) fn sync_all(_folder: &File) -> bool {
     false
@@ -106,14 +108,15 @@ pub(super) fn rename(from: &Path, to: &Path) -> Result<()> {
     fs::rename(from, to)
 }
 
-/// Lets two folders change their names in one step, so that neither name is ever without one; whether it did.
+/// Exchanges the names of two folders in one step, so that both names always exist. Returns whether
+/// it did.
 #[cfg(target_os = "linux")]
 pub(super) fn exchange(one: &Path, other: &Path) -> bool {
     use rustix::fs::{CWD, RenameFlags, renameat_with};
     faults::next().is_ok() && renameat_with(CWD, one, CWD, other, RenameFlags::EXCHANGE).is_ok()
 }
 
-/// There is no such call elsewhere.
+/// Other systems have no such call.
 #[cfg(not(target_os = "linux"))]
 pub(super) fn exchange(_one: &Path, _other: &Path) -> bool {
     false
@@ -131,11 +134,11 @@ pub(super) fn create_folder(path: &Path) -> Result<()> {
     fs::create_dir_all(path)
 }
 
-/// Makes a folder in one that is there, or was there: then it is not made anew.
+/// Makes a folder in one that exists. If that was removed, it is not made again.
 pub(super) fn create_folder_in(path: &Path) -> Result<()> {
     faults::next()?;
     match fs::create_dir(path) {
-        // Somebody else was quicker.
+        // Another process was faster.
         Err(_) if path.is_dir() => Ok(()),
         made => made,
     }
@@ -147,7 +150,7 @@ pub(super) fn remove_folder(path: &Path) -> Result<()> {
     fs::remove_dir_all(path)
 }
 
-/// A file for those who write piece by piece.
+/// A writer to a file, piece by piece.
 pub(super) struct Writer<'a>(pub(super) &'a File);
 
 impl Write for Writer<'_> {
@@ -160,7 +163,7 @@ impl Write for Writer<'_> {
     }
 }
 
-/// Nothing fails by itself.
+/// No faults on their own.
 #[cfg(not(test))]
 mod faults {
     pub(super) fn next() -> std::io::Result<()> {
@@ -168,7 +171,7 @@ mod faults {
     }
 }
 
-/// Failures on demand, of the calls of one thread.
+/// Faults on demand, in the calls of one thread.
 #[cfg(test)]
 pub(super) mod faults {
     use std::cell::Cell;
@@ -179,13 +182,13 @@ pub(super) mod faults {
         static FAILING: Cell<[usize; 2]> = const { Cell::new([usize::MAX; 2]) };
     }
 
-    /// From now on the call of this number fails, and so do as many after it; counting begins at 0.
+    /// From now on the call number `first`, counted from 0, fails, and `more` calls after it.
     pub(in crate::results) fn arm(first: usize, more: usize) {
         CALLS.set(0);
         FAILING.set([first, first.saturating_add(more)]);
     }
 
-    /// Nothing fails any more. How many calls there were.
+    /// Ends the faults. Returns the number of calls.
     pub(in crate::results) fn disarm() -> usize {
         FAILING.set([usize::MAX; 2]);
         CALLS.get()

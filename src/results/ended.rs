@@ -1,5 +1,5 @@
-//! What a process holds of each run that has ended: whose it is and how, and no more. Of a million cases the rest
-//! would be a gigabyte, and half of the time that it takes to go on with them.
+//! The data that a process keeps of each finished run: its id and whether it is ok. For a million
+//! cases the rest would take a gigabyte, and half of the time of resuming.
 
 use serde::Deserialize;
 
@@ -9,28 +9,28 @@ use super::wanted::Wanted;
 use crate::simulation::FailureKind;
 use crate::study::CaseId;
 
-/// A run that has ended.
+/// A finished run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Ended {
-    /// Whose it is.
+    /// Its id.
     pub id: CaseId,
     /// Whether it has ended well.
     pub is_ok: bool,
 }
 
-/// A journal line as far as somebody wants it.
+/// A journal line, as far as it is needed.
 pub(super) trait Line: Wanted {
-    /// What is held of it.
+    /// The part that is kept.
     type Held: Clone + Send;
 
-    /// Whose line it is, and how the run ended.
+    /// The id, and how the run ended.
     fn ended(&self) -> Ended;
 
-    /// What is held of it, which has its place in the study, and the seals of the case's files.
+    /// The part that is kept, with its index in the study, and the seals of the case's files.
     fn split(self, index: usize) -> (Self::Held, Seals);
 }
 
-/// A journal line as far as a study needs it to go on.
+/// A journal line, as far as a study needs it to go on.
 #[derive(Debug, Deserialize)]
 pub(super) struct EndedLine {
     id: CaseId,

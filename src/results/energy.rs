@@ -1,4 +1,4 @@
-//! `energy.csv`: the energy budget of every case that went well, joules per metre of width.
+//! `energy.csv`: the energy budget of every successful case, joules per metre of width.
 
 use std::io::{BufWriter, Write};
 use std::path::Path;
@@ -12,7 +12,7 @@ use crate::simulation::{EnergyBudget, Outcome};
 use crate::study::CaseId;
 
 pub(super) const FILE_NAME: &str = "energy.csv";
-/// Bytes that go to the file in one go.
+/// Bytes written to the file at once.
 const BUFFER: usize = 1 << 20;
 
 /// Writes the budgets of the finished cases, in grid order.
@@ -25,7 +25,7 @@ pub(super) fn write(directory: &Path, records: &[Option<CaseRecord>]) -> Result<
 
 /// Writes the whole table.
 pub(super) fn write_table(into: impl Write, records: &[Option<CaseRecord>]) -> std::io::Result<()> {
-    // The gap keeps its place behind the terms of the first version.
+    // The gap keeps its place after the terms of the first version.
     let (first, later) = energy::ALL.split_at(energy::FIRST_VERSION);
     let [first_names, later_names] = [first, later].map(|terms| terms.iter().map(|term| term.name));
     let names = [summary::CASE_ID.name].into_iter().chain(first_names);
@@ -50,7 +50,7 @@ pub(super) fn write_table(into: impl Write, records: &[Option<CaseRecord>]) -> s
     file.flush()
 }
 
-/// What a row is of; none of a case that failed.
+/// The data of a row; none for a failed case.
 fn budget(record: &CaseRecord) -> Option<(CaseId, &EnergyBudget, &Outcome)> {
     Some((record.id, record.energy.as_ref()?, record.outcome.as_ref()?))
 }

@@ -1,7 +1,7 @@
-//! Lines of the journal: how one is written, and what a text of them holds.
+//! Lines of the journal: writing and reading.
 //!
-//! Every line is `{"sum":"<16 hex digits>","entry":<entry>}`, the sum being the start of SHA-256
-//! over the entry's text.
+//! Every line is `{"sum":"<16 hex digits>","entry":<entry>}`. The sum is the start of SHA-256 over
+//! the entry's text.
 
 use std::io::{BufRead, Read};
 use std::path::Path;
@@ -17,7 +17,7 @@ use crate::math::simd::SimdPath;
 
 const VERSION: u32 = 1;
 
-/// What the journal belongs to.
+/// The study of a journal.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Header {
     /// Version of the journal's own format.
@@ -54,12 +54,12 @@ impl<R: Serialize> Entry<R> {
     }
 }
 
-/// What a journal holds. A record is read as far as `R` asks for.
+/// The contents of a journal. `R` is the part of a record that is read.
 #[derive(Debug)]
 pub struct Content<R = CaseRecord> {
-    /// The first line, where it is whole.
+    /// The first line, if it is intact.
     pub header: Option<Header>,
-    /// Records in the order of writing, where they were not handed on.
+    /// Records in the order of writing, unless they were passed on.
     pub records: Vec<R>,
     /// How many records there were.
     pub found: usize,
@@ -68,29 +68,29 @@ pub struct Content<R = CaseRecord> {
     pub(super) condition: Condition,
 }
 
-/// What state a journal's text is in.
+/// The condition of a journal's text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Condition {
     Intact,
-    /// All lines are intact but the last one, which does not end. It begins behind so many bytes.
+    /// All lines are intact except the last one, which has no end. It begins after this many bytes.
     Torn(u64),
     Damaged,
 }
 
-/// So many bytes are read in one go, and their lines looked at side by side.
+/// Bytes read at once. Their lines are parsed in parallel.
 const BLOCK: usize = 8 << 20;
 
-/// What a line holds: entries, and how often something that is none.
+/// The contents of a line: entries, and the number of invalid parts.
 struct Line<R> {
     entries: Vec<Result<Entry<R>, String>>,
     damaged: usize,
-    /// Whether it is one entry and nothing else.
+    /// Whether it is a single entry.
     intact: bool,
     bytes: u64,
 }
 
 impl<R> Line<R> {
-    /// The state of a text that ends with this line, and was in that state before it.
+    /// The condition of a text that ends with this line, from its condition before.
     fn after(&self, before: Condition, end: &mut u64) -> Condition {
         let start = *end;
         *end += self.bytes;
@@ -104,10 +104,9 @@ impl<R> Line<R> {
     }
 }
 
-/// Reads a journal, without holding its text. `path` is told in errors. A last line without an end counts for nothing.
+/// Reads a journal. `path` is for errors. A last line without an end is ignored.
 ///
-/// # Errors
-/// A file that cannot be read, a whole line that this program does not know, or one that is out of place.
+/// # Errors A file that cannot be read; an intact line that is unknown or in the wrong place.
 pub(super) fn parse<R: Wanted>(
     path: &Path,
     text: impl BufRead + Send,
@@ -117,7 +116,7 @@ pub(super) fn parse<R: Wanted>(
     Ok(Content { records, ..content })
 }
 
-/// The same without holding the records: each block of them is handed on.
+/// The same without keeping the records: each block of them is passed on.
 pub(super) fn parse_in_blocks<R: Wanted>(
     path: &Path,
     mut text: impl BufRead + Send,
@@ -130,7 +129,7 @@ pub(super) fn parse_in_blocks<R: Wanted>(
     next_lines(&mut text, &mut next).map_err(SweepError::io(path))?;
     while !next.is_empty() {
         std::mem::swap(&mut block, &mut next);
-        // The next block is read while the lines of this one are looked at.
+        // The next block is read while the lines of this one are parsed.
         let look = || lines_of(&block).into_par_iter().map(read).collect();
         let (lines, more): (Vec<_>, _) = rayon::join(look, || next_lines(&mut text, &mut next));
         more.map_err(SweepError::io(path))?;
@@ -151,7 +150,7 @@ pub(super) fn parse_in_blocks<R: Wanted>(
     Ok(content)
 }
 
-/// The next lines, with their breaks, in the place of those before.
+/// Reads the next lines, with their breaks, in place of those before.
 fn next_lines(text: &mut impl BufRead, lines: &mut Vec<u8>) -> std::io::Result<()> {
     lines.clear();
     text.by_ref().take(BLOCK as u64).read_to_end(lines)?;
@@ -166,7 +165,7 @@ fn lines_of(mut text: &[u8]) -> Vec<&[u8]> {
     let mut lines = Vec::new();
     while !text.is_empty() {
         let whole = text;
-        // To read from memory cannot fail.
+        // Reading from memory cannot fail.
         let length = text.skip_until(b'\n').unwrap_or(whole.len());
         lines.push(&whole[..length]);
     }
@@ -177,7 +176,7 @@ fn read<R: Wanted>(line: &[u8]) -> Line<R> {
     let ended = line.ends_with(b"\n");
     let entry = |text: &[u8]| serde_json::from_slice(&wanted::<R>(text)).map_err(|e| e.to_string());
     let bytes = line.len() as u64;
-    // Nearly every line: then it need not be searched for another one.
+    // This is nearly every line. Then no search for another one is needed.
     if let Some(text) = whole_entry(line) {
         return Line { entries: vec![entry(text)], damaged: 0, intact: ended, bytes };
     }
@@ -213,7 +212,7 @@ impl<R> Content<R> {
     }
 }
 
-/// The whole lines of a journal's text, and the damaged ones.
+/// The intact lines of a journal's text, and the damaged ones.
 pub(super) fn sorted(bytes: &[u8]) -> [Vec<u8>; 2] {
     let [mut whole, mut damaged] = [Vec::new(), Vec::new()];
     for line in bytes.split_inclusive(|&byte| byte == b'\n') {
@@ -229,10 +228,10 @@ pub(super) fn sorted(bytes: &[u8]) -> [Vec<u8>; 2] {
     [whole, damaged]
 }
 
-/// What stands before the sum, and between it and the entry.
+/// The text before the sum, and between it and the entry.
 const FRAME: [&str; 2] = ["{\"sum\":\"", "\",\"entry\":"];
 
-/// What a line holds: mostly itself, or two lines whose break is damaged.
+/// The parts of a line: usually itself, or two lines whose break is damaged.
 fn pieces(line: &[u8]) -> Vec<&[u8]> {
     let start = FRAME[0].as_bytes();
     let starts = line.windows(start.len()).enumerate().skip(1);
@@ -242,7 +241,8 @@ fn pieces(line: &[u8]) -> Vec<&[u8]> {
     ends.windows(2).map(|pair| &line[pair[0]..pair[1]]).collect()
 }
 
-/// The text of a line's entry, where its sum is right. Whatever byte breaks the line, nothing is lost.
+/// The text of a line's entry, if its sum is right. Any byte may break the line, and nothing is
+/// lost.
 fn whole_entry(line: &[u8]) -> Option<&[u8]> {
     let (_break, line) = line.split_last()?;
     let (sum, entry) = split(line.strip_suffix(b"}")?, FRAME)?;

@@ -1,4 +1,4 @@
-//! What can go wrong with a sweep as a whole; a failing case is not among it.
+//! Errors of a sweep as a whole. A failing case is not one of them.
 
 use std::path::{Path, PathBuf};
 
@@ -10,7 +10,7 @@ use crate::math::words::in_words;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum SweepError {
-    /// The request cannot be carried out as it stands: bad usage, a foreign or damaged directory.
+    /// The request is not possible: bad usage, or the directory of another sweep or a damaged one.
     #[error("{0}")]
     Refused(String),
     /// The system failed to read or write a file.
@@ -22,7 +22,7 @@ pub enum SweepError {
 }
 
 impl SweepError {
-    /// A refusal that concerns a file or directory.
+    /// A refusal because of a file or directory.
     pub fn refused(path: &Path, reason: impl std::fmt::Display) -> SweepError {
         SweepError::Refused(format!("{}: {reason}", named(path)))
     }
@@ -45,8 +45,8 @@ impl SweepError {
         move |error| SweepError::Io { path: path.to_owned(), error }
     }
 
-    /// Whether the user asked for something that cannot be (exit code 2) rather than the program
-    /// or the machine failing (70).
+    /// Whether the user asked for something impossible (exit code 2). Otherwise the program or the
+    /// machine failed (70).
     pub fn is_refusal(&self) -> bool {
         matches!(self, SweepError::Refused(_))
     }

@@ -1,19 +1,21 @@
-//! Error bars: how far a case's readings may be from the truth, from its resolution companions and
-//! from what is known about the method.
+//! Error bars: how far a case's readings may be from the truth. They come from its resolution
+//! companions and from known properties of the method.
 //!
-//! For a reading f at the case's spacing and f_r at r times that spacing the bar is
+//! For a reading f at the case's spacing and f_r at r times that spacing, the bar is
 //! ```text
 //! √( [ |f - f_r| / (r - 1) ]² + scatter² )
 //! ```
-//! - The first term is Richardson's for the order 1, the largest over all companions (two runs may agree
-//!   by accident). The water is compressible, and that error goes as 1/c0². A companion has r times the
-//!   1/c0² besides, so both errors are told in one: that by sound falls as the spacing does, that by the
-//!   spacing no slower (`results/convergence`).
-//! - **Scatter**: readings vary by a share of their size between neighbouring spacings, levels by a
-//!   share of the spacing. That of a volume over a crest is what one spacing of length holds of the thickest water there.
+//! - The first term is Richardson's estimate for order 1. The largest over all companions is taken,
+//!   because two runs may agree by accident. The water is compressible, and the error by that is
+//!   proportional to 1/c0². A companion also has r times the 1/c0², so the estimate includes both
+//!   errors. The error by sound falls like the spacing, that by the spacing no slower
+//!   (`results/convergence`).
+//! - **Scatter**: between neighbouring spacings readings vary by a share of their size, levels by a
+//!   share of the spacing. For a volume over a crest it is the volume of the thickest water there
+//!   over a length of one spacing.
 //!
-//! A bar is absolute, in the reading's own unit, and holds for more than nine cases in ten:
-//! `results/accuracy/coverage.md` has what was measured. No constant was set by the cases that are
+//! A bar is absolute, in the reading's own unit, and holds for more than nine cases in ten: the
+//! measurements are in `results/accuracy/coverage.md`. No constant was fitted to the cases that are
 //! counted there.
 
 use super::record::CaseRecord;
@@ -22,17 +24,19 @@ use crate::scene::CaseConfig;
 use crate::simulation::{Maximum, Outcome};
 use crate::study::Study;
 
-// What companions do not tell. With these 95 % of the bars of 144 cases hold. They are of walls and waves between those
-// of the 300 cases, at six spacings (`results/accuracy/coverage_between.md`).
+// Errors that companions do not show. With these values 95 % of the bars of 144 cases hold. Their
+// walls and waves lie between those of the 300 cases, at six spacings
+// (`results/accuracy/coverage_between.md`).
 /// Scatter of a force, as a share of it.
 const FORCE_SCATTER: f64 = 0.0028;
-/// Scatter of a level, as a share of the spacing: of the lowest wave, whose tip is not sharp.
+/// Scatter of a level, as a share of the spacing. It is that of the lowest wave, whose tip is not
+/// sharp.
 const LEVEL_SCATTER: f64 = 0.07;
 /// Scatter of a displacement, as a share of it.
 const DISPLACEMENT_SCATTER: f64 = 0.0021;
 
 impl ErrorBars {
-    /// The bars of a case that has ended well, from those of its companions that have.
+    /// The bars of a successful case, from those of its companions that were successful.
     pub fn new(
         config: &CaseConfig,
         outcome: &Outcome,
@@ -73,8 +77,8 @@ impl ErrorBars {
     }
 }
 
-/// The narrowest bar of force and displacement that a case may get, percent, however fine its
-/// particles: the scatter between spacings.
+/// The smallest possible bar of force and displacement for a case, percent, for any particle
+/// spacing. It is the scatter between spacings.
 pub fn narrowest_bar_percent(config: &CaseConfig) -> Option<f64> {
     let scene = config.scene.seawall()?;
     let displacement = if scene.wall.moves() { DISPLACEMENT_SCATTER } else { 0.0 };
@@ -82,14 +86,14 @@ pub fn narrowest_bar_percent(config: &CaseConfig) -> Option<f64> {
 }
 
 impl Study {
-    /// The error bars of a case, none where it or its companions have not ended well; `records`
-    /// are in the order of [`Study::runs`].
+    /// The error bars of a case; none if it or its companions were not successful. `records` are in
+    /// the order of [`Study::runs`].
     pub fn error_bars(&self, case: usize, records: &[Option<CaseRecord>]) -> ErrorBars {
         let own = records.get(case).and_then(Option::as_ref);
         own.map_or_else(Default::default, |own| self.error_bars_of(own, records))
     }
 
-    /// Likewise, of a record that is not among the others.
+    /// The same for a record that is not among the others.
     pub(super) fn error_bars_of(
         &self,
         own: &CaseRecord,
@@ -106,8 +110,8 @@ impl Study {
     }
 }
 
-/// Richardson's estimate of the error of `fine`, from the same quantity on a spacing `ratio` times
-/// as large, for the order 1.
+/// Richardson's estimate of the error of `fine` for order 1. `coarse` is the same quantity at
+/// `ratio` times the spacing.
 fn richardson(fine: f64, coarse: f64, ratio: f64) -> f64 {
     (fine - coarse).abs() / (ratio - 1.0)
 }
@@ -165,7 +169,7 @@ mod tests {
         }
     }
 
-    /// A case's error by sound, which goes as 1/c0², is told by its companions, whatever its c0.
+    /// A case's error by sound, proportional to 1/c0², is covered by its companions, for any c0.
     #[test]
     fn the_error_by_sound_lies_inside() {
         for ratio in [8.0, 10.12, 16.0] {
@@ -193,7 +197,8 @@ mod tests {
         assert!((bars.displacement.unwrap() - DISPLACEMENT_SCATTER * 2.8).abs() < 1e-12);
     }
 
-    /// A volume over a crest has a bar where a companion has one, too. What stayed dry at both spacings has a bar of 0.
+    /// A volume over a crest also has a bar if a companion has a volume. If it is dry at both
+    /// spacings, the bar is 0.
     #[test]
     fn what_goes_over_a_crest_has_a_bar() {
         let told = |volume_m2, thickness_max_m| {

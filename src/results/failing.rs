@@ -1,5 +1,5 @@
-//! Every system call that changes a file fails once in turn, alone or with all that follow. What the next
-//! process finds must be enough to go on to the same bytes.
+//! Every system call that changes a file fails once in turn, alone or with all that follow. The
+//! next process must be able to go on to the same bytes.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -18,8 +18,8 @@ fn study() -> Study {
     trial::study("0.1, 0.2, 0.3")
 }
 
-/// A session as `sweep` has it, with made-up results. `kept` gets the cases of which it is certain that
-/// they are on the disk.
+/// A session as in `sweep`, with made-up results. `kept` gets the cases that are certainly on the
+/// disk.
 fn session(
     path: &Path,
     study: &Study,
@@ -32,7 +32,7 @@ fn session(
     let missing: Vec<_> = study.runs().filter(missing).cloned().collect();
     for case in &missing {
         directory.attempts().turn(None, &[case.id])?;
-        // A checkpoint that cannot be written costs nothing but itself.
+        // If a checkpoint cannot be written, only the checkpoint is lost.
         let _ = Checkpoint::of_case(path, case.id, SIMD).write(b"state");
         let result = made_up(&case.config);
         record(&mut directory, study, case, result)?;
@@ -48,8 +48,8 @@ fn session(
     Manifest::new(path, study, &[], SIMD).write(path)
 }
 
-/// Records a case: the second is filed by whoever ran it, where that can be done, and so is the third, which is
-/// put on the disk by it, too.
+/// Records a case. The second case is filed by its runner if possible. So is the third, which its
+/// runner also puts on the disk.
 fn record(
     directory: &mut Directory,
     study: &Study,
@@ -90,7 +90,7 @@ fn files(path: &Path) -> BTreeMap<String, Vec<u8>> {
     files
 }
 
-/// Fails call after call of a session over what `before` has left, and goes on after each.
+/// Fails call after call of a session in the state that `before` has left, and goes on after each.
 fn fail_in_turn(mode: OpenMode, before: impl Fn(&Path)) {
     let study = study();
     let root = tempfile::tempdir().unwrap();
@@ -113,7 +113,7 @@ fn fail_in_turn(mode: OpenMode, before: impl Fn(&Path)) {
             if let Err(error) = &ended {
                 assert!(!error.is_refusal() || kept.is_empty(), "call {call}: {error}");
             }
-            // What was said to be on the disk is there.
+            // All cases that were reported to be on the disk are there.
             let opened = Directory::open(&path, &study, OpenMode::Resume, None, SIMD);
             let (directory, opened) = opened.unwrap_or_else(|error| panic!("call {call}: {error}"));
             assert!(directory.findings().is_empty(), "call {call}: {:?}", directory.findings());
@@ -148,7 +148,7 @@ fn a_failing_call_of_a_study_that_is_mended_loses_nothing() {
         session(path, &study(), OpenMode::Resume, &mut Vec::new()).unwrap();
         let journal = path.join("journal.jsonl");
         let text = fs::read_to_string(&journal).unwrap();
-        // Its last line is torn, and a history is left half written.
+        // Its last line is torn, and a history is half written.
         fs::write(&journal, &text[..text.len() - 30]).unwrap();
         fs::write(path.join("histories/0.csv.partial"), "time_s").unwrap();
     });

@@ -15,10 +15,10 @@ const PROBES: &str = "probes";
 const READINGS: &str = "readings";
 const ENVELOPES: &str = "envelopes";
 const WAVES: &str = "waves";
-/// All folders, that of histories first.
+/// All folders, with that of histories first.
 pub(super) const FOLDERS: [&str; 5] = [HISTORIES, PROBES, READINGS, ENVELOPES, WAVES];
 
-/// What a case leaves besides its journal line: folders, and what stands in a file in each.
+/// The files of a case besides its journal line: their folders and texts.
 pub(super) fn texts(result: &CaseResult) -> Vec<(&'static str, String)> {
     let mut texts = vec![(HISTORIES, history(&result.history))];
     if let Some(probes) = &result.probes {
@@ -36,7 +36,7 @@ pub(super) fn texts(result: &CaseResult) -> Vec<(&'static str, String)> {
     texts
 }
 
-/// Writes what a case leaves besides its journal line; onto the disk itself if `durable`.
+/// Writes the files of a case; with `durable` onto the disk itself.
 pub(super) fn write(
     directory: &Path,
     id: CaseId,
@@ -47,7 +47,7 @@ pub(super) fn write(
     let mut seals = Seals::new();
     for (name, text) in texts(result) {
         let path = path(directory, name, id);
-        // Nearly always the folder is there: it is asked for where it is missed.
+        // The folder nearly always exists, so it is only made after a failure.
         if let Err(error) = put(&path, text.as_bytes()) {
             let folder = directory.join(name);
             if folder.is_dir() {
@@ -61,7 +61,7 @@ pub(super) fn write(
     Ok(seals)
 }
 
-/// The files of a case that are not as they were written: their paths, and what is wrong with them.
+/// The files of a case that have changed since they were written: their paths, and the faults.
 pub(super) fn damage(directory: &Path, id: CaseId, seals: &Seals) -> Vec<(PathBuf, &'static str)> {
     let look = |(name, seal): (&String, &Seal)| {
         let path = path(directory, name, id);
@@ -85,18 +85,18 @@ pub(super) fn any(directory: &Path) -> bool {
     fs::read_dir(directory.join(HISTORIES)).is_ok_and(|mut entries| entries.next().is_some())
 }
 
-/// Removes what a killed process left half written.
+/// Removes half-written files of a killed process.
 pub(super) fn clean(directory: &Path) -> Result<(), SweepError> {
     let folders = FOLDERS.iter().map(|name| directory.join(name));
     atomic_file::clean(&std::iter::once(directory.to_owned()).chain(folders).collect::<Vec<_>>())
 }
 
-/// Where a case's history is.
+/// The path of a case's history.
 pub(super) fn history_path(directory: &Path, id: impl std::fmt::Display) -> PathBuf {
     path(directory, HISTORIES, id)
 }
 
-/// Where a case's file in a folder is.
+/// The path of a case's file in a folder.
 pub(super) fn path(directory: &Path, folder: &str, id: impl std::fmt::Display) -> PathBuf {
     directory.join(folder).join(file_name(id))
 }
@@ -106,7 +106,7 @@ pub(super) fn file_name(id: impl std::fmt::Display) -> String {
     format!("{id}.csv")
 }
 
-/// What a file in a folder is called in sentences.
+/// The name in sentences of a file in a folder.
 pub(super) fn name(folder: &str) -> &str {
     match folder {
         HISTORIES => "history",

@@ -1,5 +1,5 @@
-//! Whoever runs a case writes its files, where the output directory can be seen from there, and hands on what
-//! fits into a small message.
+//! The runner of a case writes its files, if it can see the output directory, and passes on the
+//! rest in a small message.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -13,7 +13,7 @@ use super::{manifest, round_trip};
 use crate::simulation::{CaseResult, EnergyBudget, NamedReading, Outcome, PhaseShare};
 use crate::study::CaseId;
 
-/// What is left of a result whose files are written: all that its journal line needs.
+/// The rest of a result after its files are written: all data for its journal line.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Filed {
     pub(super) outcome: Outcome,
@@ -22,7 +22,7 @@ pub struct Filed {
     pub(super) phases: Vec<PhaseShare>,
     /// Folder, length and sum of each file.
     seals: Vec<(String, u64, String)>,
-    /// Whether the files are on the disk for certain.
+    /// Whether the files are certainly on the disk.
     pub(super) on_disk: bool,
 }
 
@@ -35,7 +35,7 @@ impl Filed {
     }
 }
 
-/// A case that ended well, on its way to the coordinator.
+/// A successful case, on its way to the coordinator.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Delivery {
     /// All of it: the coordinator writes its files.
@@ -54,39 +54,39 @@ impl Delivery {
     }
 }
 
-/// By what ranks tell whether they see the same directory: no two sessions write the same manifest.
+/// Identifies a directory between ranks, by its manifest: no two sessions write the same one.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Mark {
     directory: PathBuf,
     manifest: String,
-    /// The running system: what one process of it writes, another can put on the disk.
+    /// The running system. Files written by one of its processes can be put on the disk by another.
     system: String,
 }
 
 impl Mark {
-    /// That of a directory whose manifest has just been written; `None` where there is none.
+    /// The mark of a directory whose manifest has just been written; `None` if there is none.
     pub fn of(directory: &Path) -> Option<Mark> {
         let directory = std::path::absolute(directory).ok()?;
         let manifest = fs::read(directory.join(manifest::FILE_NAME)).ok()?;
         Some(Mark { directory, manifest: checksum(&manifest), system: running_system() })
     }
 
-    /// Whose it is.
+    /// The directory.
     pub fn directory(&self) -> &Path {
         &self.directory
     }
 }
 
-/// Different for every start of every machine; empty where the system does not tell.
+/// Different for every start of every machine; empty if the system does not provide it.
 fn running_system() -> String {
     fs::read_to_string("/proc/sys/kernel/random/boot_id").unwrap_or_default().trim().to_owned()
 }
 
-/// Writes the files of cases into an output directory that somebody else has opened.
+/// Writes the files of cases into an output directory that another process has opened.
 #[derive(Debug, Clone)]
 pub struct Filing {
     directory: PathBuf,
-    /// Whether nobody else can put the files on the disk.
+    /// Whether no other process can put the files on the disk.
     syncs: bool,
 }
 
@@ -96,12 +96,12 @@ impl Filing {
         Filing { directory: directory.to_owned(), syncs: false }
     }
 
-    /// The same for one whose files nobody else can put on the disk.
+    /// The same if no other process can put its files on the disk.
     pub fn syncing(self) -> Filing {
         Filing { syncs: true, ..self }
     }
 
-    /// For another process; `None` where it does not see the directory that has this mark.
+    /// For another process; `None` if it does not see the directory with this mark.
     pub fn elsewhere(mark: &Mark) -> Option<Filing> {
         let here = Mark::of(&mark.directory)?;
         let far = here.system.is_empty() || here.system != mark.system;
@@ -109,8 +109,8 @@ impl Filing {
         Some(if far { filing.syncing() } else { filing })
     }
 
-    /// Writes the files of a case under this name, if it leaves any. What cannot be filed is delivered whole:
-    /// the coordinator tries again and tells what is wrong.
+    /// Writes the files of a case under this name, if it has any. If that fails, the result is
+    /// delivered whole; the coordinator tries again and reports the error.
     pub fn deliver(&self, files: Option<CaseId>, result: CaseResult) -> Delivery {
         let written = round_trip::demand_of(&result).ok().and_then(|()| match files {
             Some(id) => files::write(&self.directory, id, &result, self.syncs).ok(),

@@ -1,4 +1,4 @@
-//! The records of a study, filled from journal lines, with a look at the files of each case.
+//! The records of a study, filled from journal lines, with a check of each case's files.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -16,8 +16,8 @@ use super::{files, journal};
 use crate::keys::named;
 use crate::study::{CaseId, CaseMap, Study};
 
-/// Sorts journal lines into the order of the runs; a later line of the same run wins. Companions
-/// are known by their id: asking for other error bars renumbers them.
+/// Sorts journal lines into the order of the runs; a later line of the same run replaces an earlier
+/// one. Companions are found by their id, because other error bars change their numbers.
 pub(super) struct Filling<'a, L: Line> {
     path: &'a Path,
     folders: OpenFolders,
@@ -26,20 +26,20 @@ pub(super) struct Filling<'a, L: Line> {
     records: Vec<Option<L::Held>>,
     /// Where the files of each case are.
     left: Places,
-    /// Whether files are looked at.
+    /// Whether files are checked.
     looks: bool,
-    /// Whether something is to be noted of them.
+    /// Whether notes on them are needed.
     notes: bool,
-    /// What an earlier process has noted.
+    /// The notes of an earlier process.
     known: Option<Looked>,
-    /// Lines so far.
+    /// Number of lines so far.
     taken: usize,
-    /// Files that were read and are well.
+    /// Files that were read and are intact.
     found: Vec<CaseFiles>,
-    /// What the system tells of files that were noted earlier, and of all.
+    /// The system's data on files with earlier notes, and on all files.
     noted: Stamps,
     stamps: Stamps,
-    /// What is wrong with the files of a case.
+    /// The faults of a case's files.
     damage: BTreeMap<usize, Vec<Damaged>>,
 }
 
@@ -63,18 +63,18 @@ impl<'a, L: Line> Filling<'a, L> {
         }
     }
 
-    /// The same without a look at files.
+    /// The same without a check of files.
     pub(super) fn blind(self) -> Self {
         Filling { looks: false, ..self }
     }
 
-    /// The same for a large study. What an earlier process has noted is not read again.
+    /// The same for a large study. Files with notes of an earlier process are not read again.
     fn noting(self, known: Option<Looked>) -> Self {
         let [noted, stamps] = [Stamps::new(self.cases), Stamps::new(self.cases)];
         Filling { notes: true, known, noted, stamps, ..self }
     }
 
-    /// Takes the next lines, and looks at the files of their cases.
+    /// Takes the next lines, and checks the files of their cases.
     pub(super) fn take(&mut self, lines: Vec<L>) {
         let (path, cases, places, folders) = (self.path, self.cases, &self.places, &self.folders);
         let (looks, notes) = (self.looks, self.notes);
@@ -86,7 +86,7 @@ impl<'a, L: Line> Filling<'a, L> {
             let (record, seals) = line.split(index);
             let has_files = is_ok && index < cases;
             let files = has_files.then(|| CaseFiles::of(id, &seals));
-            // Before they are read: what changes meanwhile shows later.
+            // Before they are read, so that a change meanwhile shows later.
             let stamp = files.filter(|_| notes).map_or(Some(0), |files| files.stamp(folders));
             let is_noted = number < known;
             let is_read = looks && has_files && !is_noted;
@@ -108,20 +108,20 @@ impl<'a, L: Line> Filling<'a, L> {
         }
     }
 
-    /// Whether the files that an earlier process has noted are still what they were.
+    /// Whether the files with earlier notes have not changed.
     fn bears_out(&self) -> bool {
         let known = self.known.filter(|known| known.lines <= self.taken);
         known.is_some_and(|known| self.noted.sum() == Some(known.files))
     }
 
-    /// All records, and what is wrong with files.
+    /// All records, and the faults of files.
     pub(super) fn all(self) -> (Vec<Option<L::Held>>, Vec<Damaged>) {
         (self.records, self.damage.into_values().flatten().collect())
     }
 }
 
 impl Filling<'_, EndedLine> {
-    /// What there is, without runs whose files are damaged or missing.
+    /// All records, without runs whose files are damaged or missing.
     pub(super) fn end(mut self) -> Filled {
         let damaged = self.damage.keys().filter_map(|&index| self.records[index].take());
         let owed = damaged.map(|run| run.id).collect();
@@ -139,26 +139,27 @@ impl Filling<'_, EndedLine> {
     }
 }
 
-/// What a journal holds, in the order of the runs.
+/// The records of a journal, in the order of the runs.
 pub(super) struct Filled {
     pub runs: Vec<Option<Ended>>,
     /// Where the files of each case are.
     pub left: Places,
-    /// What is wrong with files, in words.
+    /// The faults of files, in words.
     pub told: Vec<String>,
-    /// Files of a large study that were read and are well. An earlier process may have died before they were on the disk.
+    /// Files of a large study that were read and are intact. An earlier process may have died
+    /// before they were on the disk.
     pub found: Vec<CaseFiles>,
     /// Cases whose files are damaged or missing.
     pub owed: BTreeSet<CaseId>,
-    /// A sum over what the system tells of all files; `None` of a small study, and where a file is missing or not as
-    /// long as it was.
+    /// A sum over the system's data on all files. `None` for a small study, or if a file is missing
+    /// or has another length.
     pub stamps: Option<u64>,
-    /// Whether what an earlier process has noted still holds.
+    /// Whether the notes of an earlier process still hold.
     pub is_noted: bool,
 }
 
 impl Filled {
-    /// That of a study of which nothing is done.
+    /// For a study without finished runs.
     pub(super) fn nothing(study: &Study) -> Filled {
         let is_large = study.cases.len() > looked::ABOVE;
         Filled {
@@ -173,8 +174,8 @@ impl Filled {
     }
 }
 
-/// What the journal of a study holds, with a look at its cases' files. What an earlier process has noted of them counts
-/// where all of it still holds.
+/// The records in the journal of a study, with a check of its cases' files. The notes of an earlier
+/// process are used if all of them still hold.
 pub(super) fn fill<'a>(
     path: &'a Path,
     study: &Study,
@@ -192,7 +193,7 @@ pub(super) fn fill<'a>(
     }
     if let Some(known) = Looked::read(path) {
         let (content, filling) = read(new().noting(Some(known)))?;
-        // With a line lost, those behind it are not where they were.
+        // If a line is lost, those after it have another place.
         if content.damaged == 0 && filling.bears_out() {
             return Ok((content, filling));
         }
@@ -200,10 +201,10 @@ pub(super) fn fill<'a>(
     read(new().noting(None))
 }
 
-/// A file, and what is wrong with it.
+/// A file, and its fault.
 pub(super) type Damaged = (PathBuf, &'static str);
 
-/// That in words.
+/// The same in words.
 pub(super) fn told((file, what): &Damaged) -> String {
     format!("{} {what}", named(file))
 }

@@ -1,9 +1,9 @@
 //! The journal: the truth about a sweep, one line of JSON per finished case.
 //!
 //! The first line is the [`Header`]. Lines are only ever appended. A torn last line (the process or
-//! the machine died) is cut off on reopening. A damaged line costs its case alone: the line is set
-//! aside, and the case runs again. Lines reach the disk in groups: within 0.2 s, or as soon as nothing
-//! else happens.
+//! the machine died) is cut off on reopening. A damaged line only affects its case: the line is set
+//! aside, and the case runs again. Lines reach the disk in groups: within 0.2 s, or as soon as
+//! there is no other work.
 
 use std::fs::File;
 use std::io::{BufRead, BufReader};
@@ -28,7 +28,7 @@ const DAMAGED: &str = "journal.damaged";
 pub struct Journal {
     path: PathBuf,
     file: File,
-    /// Bytes that were there, and that were appended.
+    /// Its length in bytes, with those that were appended.
     length: u64,
     unsynced_since: Option<Instant>,
 }
@@ -37,7 +37,7 @@ impl Journal {
     /// Starts a journal.
     pub fn create(directory: &Path, header: &Header) -> Result<Journal, SweepError> {
         let path = directory.join(FILE_NAME);
-        // At its end wherever that is: behind a cut a write at a place of its own would leave a hole.
+        // Opened for appending: after a cut, writing at a fixed place would leave a hole.
         let file = disk::append(&path).map_err(SweepError::io(&path))?;
         let mut journal = Journal { path, file, length: 0, unsynced_since: None };
         journal.append(&Entry::<CaseRecord>::Header(header.clone()))?;
@@ -46,8 +46,8 @@ impl Journal {
         Ok(journal)
     }
 
-    /// Opens a journal, which holds `content`, to go on with it. A torn tail is cut off in place, damaged lines are
-    /// set aside. Where the first line is lost, `header` takes its place.
+    /// Opens a journal with these contents, to go on with it. A torn last line is cut off, and
+    /// damaged lines are set aside. If the first line is lost, `header` replaces it.
     ///
     /// # Errors
     /// A file that cannot be written.
@@ -92,14 +92,14 @@ impl Journal {
         self.length
     }
 
-    /// The number by which the system knows it on its device.
+    /// Its number on its device.
     pub(super) fn number(&self) -> Result<u64, SweepError> {
         let file = self.file.metadata().map_err(SweepError::io(&self.path))?;
         let [_, number] = atomic_file::identity(&file);
         Ok(number)
     }
 
-    /// Whether lines have waited for the disk so long.
+    /// Whether lines have waited for the disk for this long.
     pub fn waits(&self, time: Duration) -> bool {
         self.unsynced_since.is_some_and(|since| since.elapsed() >= time)
     }
@@ -113,17 +113,17 @@ impl Journal {
         Ok(())
     }
 
-    /// Leaves it to somebody else to put the lines so far on the disk.
+    /// Lets another thread put the lines so far on the disk.
     pub(super) fn let_sync(&mut self) -> Result<Journal, SweepError> {
         let file = self.file.try_clone().map_err(SweepError::io(&self.path))?;
         let (path, unsynced_since) = (self.path.clone(), self.unsynced_since.take());
         Ok(Journal { path, file, length: self.length, unsynced_since })
     }
 
-    /// Makes sure that the file which is written to is still the one that has its name, and holds what was written.
+    /// Makes sure that the open file still has its name and its contents.
     ///
     /// # Errors
-    /// Somebody has deleted, moved or cut it, or has moved the directory with it.
+    /// The file was deleted, moved or cut, or the directory was moved.
     pub fn demand_in_place(&self) -> Result<(), SweepError> {
         let reason = if !atomic_file::is_same(&self.file, &self.path) {
             "was deleted, moved or replaced while the sweep ran; what finished since then is lost"
@@ -146,7 +146,7 @@ fn keep_damaged(directory: &Path, lines: &[u8]) -> Result<(), SweepError> {
     file.and_then(|file| disk::write(&file, lines)).map_err(SweepError::io(&path))
 }
 
-/// The header alone; `None` where its line is not whole.
+/// Only the header; `None` if its line is not intact.
 ///
 /// # Errors
 /// A file that cannot be read, or another program's.
@@ -158,8 +158,8 @@ pub fn read_header(directory: &Path) -> Result<Option<Header>, SweepError> {
     Ok(entries::parse::<CaseRecord>(&path, &line[..])?.header)
 }
 
-/// Reads a journal without touching it, and hands on its records block by block. `R` has what is wanted of each
-/// record. Of a large study the rest takes time and memory.
+/// Reads a journal without changing it, and passes on its records block by block. `R` has the
+/// needed part of a record. For a large study the rest takes time and memory.
 ///
 /// # Errors
 /// A file that cannot be read, or another program's.
@@ -172,7 +172,7 @@ pub fn read_in_blocks<R: Wanted>(
     entries::parse_in_blocks(&path, BufReader::new(file), take)
 }
 
-/// Reads a journal without touching it.
+/// Reads a journal without changing it.
 ///
 /// # Errors
 /// A file that cannot be read, or another program's.

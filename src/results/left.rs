@@ -1,4 +1,4 @@
-//! The files that cases have left: whether they are still there when a sweep ends.
+//! The files of cases: whether they still exist when a sweep ends.
 
 use std::collections::HashSet;
 use std::fs;
@@ -15,7 +15,7 @@ use crate::study::CaseId;
 /// Folders that hold a file of a case, a bit each.
 pub(super) type Folders = u8;
 
-/// Those of a case that has ended well. It has a history, whatever else it has.
+/// Those of a successful case. It always has a history.
 pub(super) fn folders(seals: &Seals) -> Folders {
     let bit = |(at, folder): (usize, &&str)| {
         let is_there = at == 0 || seals.contains_key(*folder);
@@ -24,24 +24,24 @@ pub(super) fn folders(seals: &Seals) -> Folders {
     FOLDERS.iter().enumerate().map(bit).sum()
 }
 
-/// The same of all cases of a study, by their places.
+/// The same for all cases of a study, by index.
 #[derive(Debug)]
 pub(super) struct Places(Vec<Folders>);
 
 impl Places {
-    /// So many cases, none of which has left anything yet.
+    /// For this many cases without files.
     pub(super) fn new(cases: usize) -> Places {
         Places(vec![0; cases])
     }
 
-    /// This run has left files, if it is a case.
+    /// This run has written files, if it is a case.
     pub(super) fn set(&mut self, index: usize, folders: Folders) {
         if let Some(place) = self.0.get_mut(index) {
             *place = folders;
         }
     }
 
-    /// What those have left that have ended well.
+    /// The files of the successful cases.
     pub(super) fn of(&self, cases: &[Option<Ended>]) -> Left {
         let case = |(case, &folders): (&Option<Ended>, &Folders)| {
             case.filter(|case| case.is_ok).map(|case| (case.id, folders))
@@ -50,16 +50,16 @@ impl Places {
     }
 }
 
-/// The cases that have ended well, and where their files are.
+/// The successful cases, and the folders of their files.
 #[derive(Debug)]
 pub struct Left(Vec<(CaseId, Folders)>);
 
 impl Left {
-    /// Makes sure that all files are there. What they hold is not looked at: folders are listed, of a million files
-    /// in a second.
+    /// Makes sure that all files exist. Their contents are not checked. The folders are listed,
+    /// which takes a second for a million files.
     ///
     /// # Errors
-    /// Somebody has deleted or moved one.
+    /// A file was deleted or moved.
     pub fn demand(&self, directory: &Path) -> Result<(), SweepError> {
         let lost = FOLDERS.iter().enumerate().flat_map(|(at, folder)| {
             let there = listed(&directory.join(folder));
@@ -67,7 +67,7 @@ impl Left {
             let missing = of.filter(move |(id, _)| !there.contains(id));
             missing.map(move |(id, _)| files::path(directory, folder, id))
         });
-        // A list may be older than a file, where the directory is on another machine.
+        // If the directory is on another machine, a list may be older than a file.
         let lost: Vec<PathBuf> = lost.filter(|path| !path.is_file()).collect();
         let Some(first) = lost.first() else { return Ok(()) };
         let others = match lost.len() - 1 {
@@ -81,7 +81,7 @@ impl Left {
     }
 }
 
-/// The cases of which there is a file in a folder.
+/// The cases with a file in a folder.
 fn listed(folder: &Path) -> HashSet<CaseId> {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     let case = |entry: fs::DirEntry| {

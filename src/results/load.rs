@@ -1,5 +1,5 @@
-//! How busy the ranks of a session are: `load.json` while it runs, afterwards in `manifest.json`. Provenance: no
-//! result depends on it.
+//! The load of a session's ranks: `load.json` while it runs, afterwards in `manifest.json`. It is
+//! provenance: no result depends on it.
 
 use std::fs;
 use std::path::Path;
@@ -14,22 +14,22 @@ const FILE_NAME: &str = "load.json";
 /// The load of a session.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Load {
-    /// Since its start, seconds.
+    /// Time since its start, seconds.
     pub elapsed_s: f64,
-    /// Of every rank.
+    /// The load of every rank.
     pub ranks: Vec<RankLoad>,
 }
 
-/// What a rank has done.
+/// The work of a rank.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct RankLoad {
     /// Cases that it runs at once.
     pub places: usize,
-    /// Seconds of all of them together, shared stretches included.
+    /// Seconds of all its places together, trunks included.
     pub busy_s: f64,
     /// Cases that have ended.
     pub cases: u64,
-    /// Shared stretches that have ended.
+    /// Trunks that have ended.
     pub trunks: u64,
 }
 
@@ -39,7 +39,7 @@ impl Load {
         share(&self.ranks[rank..=rank], self.elapsed_s)
     }
 
-    /// That of all ranks together.
+    /// The same for all ranks together.
     pub fn whole_share(&self) -> f64 {
         share(&self.ranks, self.elapsed_s)
     }
@@ -49,7 +49,7 @@ impl Load {
         self.ranks.iter().map(|rank| rank.busy_s).sum()
     }
 
-    /// In words: all ranks, and the least and the most busy of several.
+    /// In words: all ranks, and the least and the most busy if there are several.
     pub fn told(&self) -> Option<String> {
         let by = |a: &usize, b: &usize| self.share(*a).total_cmp(&self.share(*b));
         let ranks = || 0..self.ranks.len();
@@ -66,19 +66,19 @@ impl Load {
         })
     }
 
-    /// That of the session which runs in a directory; `None` where none has told.
+    /// The load of the running session of a directory; `None` if there is none.
     pub fn read(directory: &Path) -> Option<Load> {
         serde_json::from_slice(&fs::read(directory.join(FILE_NAME)).ok()?).ok()
     }
 
-    /// Tells those who look at the directory while a session runs.
+    /// Writes the load for readers of the directory while a session runs.
     pub fn write(&self, directory: &Path) -> Result<(), SweepError> {
         let text = serde_json::to_vec(self).expect("a load has a JSON form");
         atomic_file::write_unsynced(&directory.join(FILE_NAME), &text)
     }
 }
 
-/// Removes what an ended session has told.
+/// Removes the file of an ended session.
 pub fn forget_load(directory: &Path) -> Result<(), SweepError> {
     atomic_file::remove(&directory.join(FILE_NAME))
 }

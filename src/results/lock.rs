@@ -1,7 +1,7 @@
-//! One process per output directory: an advisory lock that dies with its holder.
+//! One process per output directory: an advisory lock that ends with its holder.
 //!
-//! It is on a file in the directory, and on the directory itself where its file system has such locks: whoever deletes
-//! the file lets nobody else in.
+//! It is on a file in the directory, and on the directory itself if its file system has such locks.
+//! So deleting the file does not let another process in.
 
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::ErrorKind::NotFound;
@@ -22,7 +22,7 @@ pub struct Lock {
     _directory: Option<File>,
 }
 
-/// Whether a try has shown that somebody else holds a lock.
+/// Whether a try has shown that another process holds a lock.
 fn is_taken<T>(tried: &Result<T, TryLockError>) -> bool {
     matches!(tried, Err(TryLockError::WouldBlock))
 }
@@ -31,7 +31,7 @@ impl Lock {
     /// Locks a directory, waiting up to 5 s for another process to leave it.
     ///
     /// # Errors
-    /// Where the other process stays, or the file cannot be opened.
+    /// The other process does not leave, or the file cannot be opened.
     pub fn hold(directory: &Path) -> Result<Lock, SweepError> {
         Lock::hold_within(directory, PATIENCE)
     }
@@ -41,9 +41,10 @@ impl Lock {
         let open = || OpenOptions::new().write(true).create(true).truncate(false).open(&path);
         let start = Instant::now();
         loop {
-            // Not the machine failing: somebody else's directory, or a read-only one.
+            // This is no fault of the machine: the directory is another user's or read-only.
             let file = match open() {
-                // Somebody has moved the directory aside and is about to put a new one in its place.
+                // Another process has moved the directory aside and is about to put a new one in
+                // its place.
                 Err(error) if error.kind() == NotFound && start.elapsed() < patience => {
                     std::thread::sleep(PAUSE);
                     continue;
@@ -54,7 +55,7 @@ impl Lock {
             let tried = whole.as_ref().map_or(Ok(()), File::try_lock);
             let tried = if is_taken(&tried) { tried } else { file.try_lock() };
             match tried {
-                // Its holder may have moved the directory aside.
+                // The holder may have moved the directory aside.
                 Ok(()) if !atomic_file::is_same(&file, &path) => {}
                 Ok(()) => return Ok(Lock { _file: file, _directory: whole }),
                 Err(TryLockError::WouldBlock) if start.elapsed() < patience => {
@@ -68,7 +69,7 @@ impl Lock {
         }
     }
 
-    /// Whether some process is at work in a directory.
+    /// Whether a process works in a directory.
     pub fn is_held(directory: &Path) -> bool {
         let both = [File::open(directory), File::open(directory.join(FILE_NAME))];
         both.iter().flatten().any(|file| is_taken(&file.try_lock()))
@@ -86,7 +87,7 @@ mod tests {
         assert!(Lock::is_held(directory.path()));
         let wait = Duration::from_millis(60);
         assert!(Lock::hold_within(directory.path(), wait).unwrap_err().is_refusal());
-        // Without the file a second process got in.
+        // Without the file a second process once got in.
         std::fs::remove_file(directory.path().join(FILE_NAME)).unwrap();
         assert!(Lock::is_held(directory.path()));
         assert!(Lock::hold_within(directory.path(), wait).unwrap_err().is_refusal());

@@ -1,4 +1,4 @@
-//! `manifest.json`: where the results come from. Nothing in it decides an answer.
+//! `manifest.json`: the origin of the results. No answer depends on it.
 
 use std::path::Path;
 
@@ -27,7 +27,7 @@ pub struct Manifest {
     pub name: String,
     /// Identity of the study.
     pub sweep: String,
-    /// What `--max-error` aims at, percent: by it the numerics of the cases can be chosen again.
+    /// The aim of `--max-error`, percent. With it the numerics of the cases can be chosen again.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub max_error_percent: Option<f64>,
     /// Number of its cases.
@@ -39,7 +39,7 @@ pub struct Manifest {
     pub keys: Vec<String>,
     /// The sweep file as written.
     pub sweep_file: String,
-    /// What the command line set.
+    /// Settings of the command line.
     pub overrides: Vec<String>,
     /// The instruction set that all cases were computed with.
     pub simd: String,
@@ -50,7 +50,7 @@ pub struct Manifest {
 /// One process at work on a directory.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct SessionInfo {
-    /// The build that worked; absent where an earlier version did not tell.
+    /// The build that worked; absent in files of earlier versions.
     #[serde(default)]
     pub program: Option<Program>,
     /// `threads` or `mpi`.
@@ -63,9 +63,9 @@ pub struct SessionInfo {
     pub ended: Option<String>,
     /// Wall time, seconds.
     pub wall_time_s: Option<f64>,
-    /// What branching saved.
+    /// The work that branching saved.
     pub savings: Option<Savings>,
-    /// How busy each rank was; absent where an earlier version or a killed process did not tell.
+    /// The load of each rank; absent after an earlier version or a killed process.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub load: Option<Load>,
     /// How it ended: `finished`, `interrupted`, or absent.
@@ -89,7 +89,7 @@ fn one() -> usize {
 }
 
 impl RankInfo {
-    /// A rank whose threads run a case each.
+    /// A rank whose threads run one case each.
     pub fn new(host: String, threads: usize) -> RankInfo {
         RankInfo { host, threads, threads_per_case: 1 }
     }
@@ -100,7 +100,7 @@ impl RankInfo {
     }
 }
 
-/// What branching saved in one session; failed cases are left out.
+/// The work that branching saved in one session, without failed cases.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Savings {
     /// Trunks computed.
@@ -109,12 +109,12 @@ pub struct Savings {
     pub branches: usize,
     /// Time steps computed, trunks included.
     pub steps_computed: u64,
-    /// Time steps, had every case run from rest.
+    /// Time steps, if every case had run from rest.
     pub steps_from_rest: u64,
 }
 
 impl Manifest {
-    /// The manifest of a directory, with the sessions that it already has.
+    /// The manifest of a directory, with its earlier sessions.
     pub fn new(directory: &Path, study: &Study, overrides: &[String], simd: SimdPath) -> Manifest {
         let sessions = Manifest::read(directory).map_or_else(Vec::new, |earlier| earlier.sessions);
         let program = Program::this();
@@ -135,8 +135,8 @@ impl Manifest {
         }
     }
 
-    /// Writes it where nothing is left to do, and only if something else is asked for than before. This program has
-    /// then computed nothing: the earlier one stays named.
+    /// Writes it if no work is left, and only if the request has changed. This program has then
+    /// computed nothing, so the earlier one stays in it.
     pub fn asked_again(mut self, directory: &Path) -> Result<(), SweepError> {
         let earlier = Manifest::read(directory);
         if let Some(earlier) = &earlier {
@@ -146,7 +146,7 @@ impl Manifest {
         if earlier.as_ref() == Some(&self) { Ok(()) } else { self.write(directory) }
     }
 
-    /// Another build that has worked here before this one.
+    /// Another build that worked here before this one.
     pub fn other_program(&self) -> Option<&Program> {
         let this = Program::this();
         self.sessions
@@ -156,9 +156,10 @@ impl Manifest {
             .find(|p| **p != this)
     }
 
-    /// What is wrong with a directory's manifest as a file. One without a sum is an earlier version's.
+    /// The fault of a directory's manifest file, if any. One without a sum is from an earlier
+    /// version.
     pub fn damage(directory: &Path) -> Option<&'static str> {
-        /// How it began before it had a sum.
+        /// Its start before it had a sum.
         const EARLIER: &[u8] = b"{\n  \"version\": \"";
         let Ok(text) = std::fs::read(directory.join(FILE_NAME)) else { return Some("is missing") };
         let readable = Manifest::read(directory).is_some();
@@ -166,13 +167,13 @@ impl Manifest {
         (!whole).then_some("is damaged")
     }
 
-    /// Reads a directory's manifest, `None` where there is none that can be read.
+    /// Reads a directory's manifest; `None` if there is none that can be read.
     pub fn read(directory: &Path) -> Option<Manifest> {
         let text = std::fs::read_to_string(directory.join(FILE_NAME)).ok()?;
         serde_json::from_str(&text).ok()
     }
 
-    /// The instruction set, where this program knows it.
+    /// The instruction set, if this program knows it.
     pub fn simd_path(&self) -> Option<SimdPath> {
         serde_json::from_value(self.simd.clone().into()).ok()
     }

@@ -1,10 +1,11 @@
-//! What a study leaves behind: a directory whose journal is the truth and whose tables are made from
-//! it.
+//! The files of a study: a directory with a journal, which is the truth, and tables that are made
+//! from it.
 //!
 //! - [`Directory`] is an output directory, locked; [`Journal`] has a [`CaseRecord`] per finished case;
 //! - the summary, `energy.csv`, and the files of every case are written from records and results;
 //! - [`write_all_histories`] joins the histories of all cases in one table;
-//! - [`Manifest`] says where the results come from; [`Derived`] what is made last was when it was made.
+//! - [`Manifest`] has the origin of the results; [`Derived`] has checksums of the files that are
+//!   made last.
 
 mod again;
 mod all_histories;

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-/// Plain digits, or an exponent where those would be many.
+/// Plain digits, or an exponent if there would be many.
 pub(super) fn text(value: f64) -> String {
     let mut text = String::new();
     push(&mut text, value);
@@ -26,7 +26,7 @@ pub(super) fn push(text: &mut String, value: f64) {
 mod tests {
     use super::*;
 
-    /// What `text` does with the standard library alone.
+    /// The same as `text`, with the standard library alone.
     fn plain(value: f64) -> String {
         match value.abs() {
             magnitude if magnitude != 0.0 && !(1e-5..1e16).contains(&magnitude) => {
@@ -44,7 +44,7 @@ mod tests {
             let mantissa = (bits >> 11) as f64 / (1_u64 << 53) as f64;
             let value = (mantissa - 0.5) * 10_f64.powi((bits % 40) as i32 - 20);
             for value in [value, value.round(), f64::from(value as f32)] {
-                // Of two that are as close and as short the two libraries may choose either.
+                // If two texts are equally close and short, each library may choose either.
                 let (text, plain) = (text(value), plain(value));
                 assert_eq!(text.parse::<f64>().unwrap().to_bits(), value.to_bits(), "{text}");
                 assert_eq!(text.len(), plain.len(), "{text} {plain}");

@@ -1,4 +1,4 @@
-//! Opening an output directory: what it holds, whether it fits, what of it is damaged.
+//! Opens an output directory: its contents, whether they fit, and their damage.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -15,32 +15,32 @@ use crate::math::simd::SimdPath;
 use crate::math::words::counted;
 use crate::study::Study;
 
-/// What to do with a directory that holds something.
+/// How to open a directory that has contents.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OpenMode {
     /// Go on with this sweep's results.
     Resume,
-    /// Move them aside and start over.
+    /// Move them aside and start again.
     Fresh,
 }
 
-/// What was found on opening.
+/// The contents found on opening.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Opened {
     /// Nothing: a new sweep starts.
     New,
-    /// Nothing any more: an old directory was moved here.
+    /// Empty now: an old directory was moved here.
     Moved(PathBuf),
-    /// So many finished cases of this sweep.
+    /// This many finished cases of this sweep.
     Resumed(usize),
 }
 
-/// What a path holds; anything else is somebody else's.
+/// The contents of a path. Anything else belongs to another program.
 #[derive(Debug, PartialEq)]
 pub(super) enum Found {
     Nothing,
-    /// A journal, which began at this time, where the system tells, and what its directory is to the system: both
-    /// tell a new one from an old one.
+    /// A journal, with the time of its start, if the system provides it, and the identity of its
+    /// directory. Both distinguish a new one from an old one.
     Journal(Option<SystemTime>, [u64; 2]),
     /// A study whose journal was deleted.
     Remains,
@@ -64,7 +64,7 @@ pub(super) fn look(path: &Path) -> Result<Found, SweepError> {
         let entry = entry.map_err(SweepError::io(path))?;
         if entry.file_name() != lock::FILE_NAME {
             if journal.is_file() {
-                // Another process has begun meanwhile.
+                // Another process has started meanwhile.
                 return look(path);
             }
             let reason = "is not empty and holds no journal; choose another --out";
@@ -74,7 +74,7 @@ pub(super) fn look(path: &Path) -> Result<Found, SweepError> {
     Ok(Found::Nothing)
 }
 
-/// Refuses to go on without a journal: what lies there would be written over.
+/// Refuses to go on without a journal, because existing files would be overwritten.
 pub(super) fn refuse_remains(path: &Path, mode: OpenMode, found: &Found) -> Result<(), SweepError> {
     if mode == OpenMode::Fresh || *found != Found::Remains {
         return Ok(());
@@ -84,7 +84,7 @@ pub(super) fn refuse_remains(path: &Path, mode: OpenMode, found: &Found) -> Resu
     Err(SweepError::refused(path, reason))
 }
 
-/// While this process waited for the lock, another may have started over.
+/// While this process waited for the lock, another may have started again.
 pub(super) fn demand_same(path: &Path, before: &Found) -> Result<(), SweepError> {
     if look(path)? == *before {
         return Ok(());
@@ -92,8 +92,8 @@ pub(super) fn demand_same(path: &Path, before: &Found) -> Result<(), SweepError>
     Err(SweepError::refused(path, "another process has just started over here"))
 }
 
-/// The journal's header. Where its line is lost, the manifest tells the same; `new` is the instruction set of a
-/// study in which nothing was done yet.
+/// The journal's header. If its line is lost, it comes from the manifest. `new` is the instruction
+/// set of a study without finished work.
 pub(super) fn header(
     path: &Path,
     content: &Content<impl Sized>,
@@ -108,7 +108,7 @@ pub(super) fn header(
     let simd = if content.found > 0 {
         told
     } else {
-        // Stopped before anything was done.
+        // Stopped before any work was done.
         (!files::any(path)).then(|| told.unwrap_or(new))
     };
     let lost = "journal.jsonl has lost its beginning, though results lie beside it; restore it from a \
@@ -117,7 +117,7 @@ pub(super) fn header(
     Ok(Header::new(&study.name, &study.identity, study.cases.len(), simd))
 }
 
-/// What is wrong with a journal's lines: of one that is mended now, or of one that is only looked at.
+/// The damage of a journal's lines. `mends` is whether it is repaired now.
 pub(super) fn told_damage(content: &Content<impl Sized>, mends: bool) -> Option<String> {
     let lines = (content.damaged > 0).then(|| counted(content.damaged, "damaged line"));
     let aside = if mends { ", set aside in journal.damaged" } else { "" };
@@ -128,7 +128,7 @@ pub(super) fn told_damage(content: &Content<impl Sized>, mends: bool) -> Option<
     Some(format!("journal.jsonl: {told}; what they held runs again{when}"))
 }
 
-/// Refuses an instruction set that not every rank has.
+/// Refuses an instruction set that not all ranks have.
 pub(super) fn check_request(
     requested: Option<SimdPath>,
     widest: SimdPath,
@@ -176,11 +176,12 @@ pub(super) fn check_header(
     Ok(())
 }
 
-/// Moves a directory aside and puts an empty one in its place, which is locked from the start. Where the system can,
-/// the name is never without a directory: another process would take it for a new one.
+/// Moves a directory aside and replaces it by an empty one, which is locked from the start. If the
+/// system can do so, the name always has a directory. Otherwise another process could take it for a
+/// new one.
 pub(super) fn replace(path: &Path) -> Result<(PathBuf, Lock), SweepError> {
     if path.is_symlink() {
-        // A link stays, and leads to the new one: it may lie on a disk with more room.
+        // A link stays, and leads to the new directory: it may be on a disk with more space.
         return replace(&fs::canonicalize(path).map_err(SweepError::io(path))?);
     }
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
@@ -189,7 +190,7 @@ pub(super) fn replace(path: &Path) -> Result<(PathBuf, Lock), SweepError> {
     let lock = Lock::hold(&new)?;
     let aside = if disk::exchange(&new, path) {
         move_aside(path, &new).inspect_err(|_| {
-            // As it was; where this fails as well, the old one stays under the other name.
+            // Back to the old state. If this fails too, the old one keeps the other name.
             let _ = disk::exchange(&new, path);
         })?
     } else {

@@ -1,4 +1,5 @@
-//! What tells the study of a directory from another one, for who has edited a file and wants to go on.
+//! The difference between the study of a directory and another one, for users who have edited a
+//! file and want to go on.
 
 use std::path::Path;
 
@@ -8,8 +9,8 @@ use super::manifest::Manifest;
 use crate::keys::brief;
 use crate::study::{PHYSICS_VERSION, Study};
 
-/// The first difference in words: the physics version, a key of the two files, or what the command line has set there;
-/// `None` where none of them tells it.
+/// The first difference in words: the physics version, a key of the two files, or a setting of the
+/// command line there. `None` if none of these differs.
 pub(super) fn difference(directory: &Path, study: &Study) -> Option<String> {
     let there = Manifest::read(directory)?;
     if there.physics_version != PHYSICS_VERSION {
@@ -23,16 +24,16 @@ pub(super) fn difference(directory: &Path, study: &Study) -> Option<String> {
         [Ok(before), Ok(here)] => first("", before, here),
         _ => None,
     };
-    // What stands in no file.
+    // Settings that are in no file.
     let sets: Vec<_> = there.overrides.iter().map(|set| format!("--set {}", brief(set))).collect();
     let set = (!sets.is_empty()).then(|| format!("it was made with {}", sets.join(" ")));
     in_files.or(set)
 }
 
-/// No part of a study's identity.
+/// Keys that are not part of a study's identity.
 const FREE: [&str; 4] = ["name", "limits", "accuracy", "numerics.error_bars"];
 
-/// Whether two values are the same: 1 is 1.0.
+/// Whether two values are equal: 1 is 1.0.
 fn same([one, other]: [Option<&Value>; 2]) -> bool {
     let number = |value: Option<&Value>| crate::keys::number(value?);
     one == other || number(one).is_some_and(|value| number(other) == Some(value))

@@ -1,4 +1,4 @@
-//! `probes/columns.csv`: what the columns of the probes hold. The study alone tells that.
+//! `probes/columns.csv`: the contents of the probes' columns. They follow from the study alone.
 
 use std::fs;
 use std::path::Path;
@@ -11,27 +11,27 @@ use crate::study::{Case, Study};
 
 pub(super) const FILE_NAME: &str = "probes/columns.csv";
 
-/// The whole file; `None` where no case has probes. They are the same for all cases of a sweep, but that some walls
-/// may have a crest and some not: the file has the columns of those that do.
+/// The whole file; `None` if no case has probes. It is the same for all cases of a sweep, except
+/// that only some walls may have a crest. Then the file has the columns of those with a crest.
 pub(super) fn text(study: &Study) -> Option<String> {
     let columns = study.cases.iter().map(|case| probe_columns(&case.config));
     let most = columns.max_by_key(Vec::len).filter(|columns| !columns.is_empty())?;
     Some(case_tables::probe_columns(&most))
 }
 
-/// Whether a case with probes has ended well: then the file is there.
+/// Whether a case with probes was successful, so that the file exists.
 fn is_due(study: &Study, records: &[Option<CaseRecord>]) -> bool {
     let ended = |record: &Option<CaseRecord>| record.as_ref().is_some_and(CaseRecord::is_ok);
     let is_probed = |case: &Case| !probe_columns(&case.config).is_empty();
     study.cases.iter().zip(records).any(|(case, record)| ended(record) && is_probed(case))
 }
 
-/// Whether it is there as it should be, or need not be there.
+/// Whether the file exists and is right, or is not needed.
 pub(super) fn fits(directory: &Path, study: &Study, records: &[Option<CaseRecord>]) -> bool {
     !is_due(study, records) || text(study).is_none_or(|text| is_written(directory, &text))
 }
 
-/// Writes it where it should be there and is not as it should be.
+/// Writes the file if it is needed and not right.
 pub(super) fn write(
     directory: &Path,
     study: &Study,
@@ -41,7 +41,7 @@ pub(super) fn write(
     text.map_or(Ok(()), |text| put(directory, &text))
 }
 
-/// The same for a text that is known, of a case that has probes.
+/// The same for a known text, for a case with probes.
 pub(super) fn put(directory: &Path, text: &str) -> Result<(), SweepError> {
     if is_written(directory, text) {
         return Ok(());

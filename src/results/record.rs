@@ -1,4 +1,4 @@
-//! What the journal keeps of a case.
+//! The journal's data of a case.
 
 use std::collections::BTreeMap;
 
@@ -16,38 +16,39 @@ use crate::study::{Case, CaseId, Study};
 /// One finished case: a journal line.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CaseRecord {
-    /// Place in grid order.
+    /// Index in grid order.
     pub index: usize,
     /// Identity.
     pub id: CaseId,
     /// Swept keys and their values.
     pub values: BTreeMap<String, serde_json::Value>,
-    /// `None` where the case is well.
+    /// `None` if the case is ok.
     pub failure: Option<FailureKind>,
-    /// Why it failed, in one line; where it is well, what it recovered from, mostly nothing.
+    /// Why it failed, in one line. If it is ok, the failure from which it recovered; usually empty.
     pub reason: String,
-    /// The scalars, where the case is well.
+    /// The scalars, if the case is ok.
     pub outcome: Option<Outcome>,
-    /// The energy budget, where the case is well.
+    /// The energy budget, if the case is ok.
     pub energy: Option<EnergyBudget>,
-    /// What else the scene told, where the case is well.
+    /// Other readings of the scene, if the case is ok.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub readings: Vec<NamedReading>,
-    /// Where the time went; a trunk's time is not included.
+    /// The time of each phase; a trunk's time is not included.
     pub phases: Vec<PhaseShare>,
     /// Wall time, seconds; a trunk's is not included.
     pub wall_time_s: f64,
-    /// Processor time, seconds, where the system tells it; a trunk's is not included.
+    /// Processor time, seconds, if the system provides it; a trunk's is not included.
     #[serde(default)]
     pub cpu_time_s: Option<f64>,
     /// Where it ran.
     pub host: String,
-    /// What the files that it has left were when they were written, by their folders.
+    /// Seals of its files from when they were written, by folder.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub files: BTreeMap<String, Seal>,
 }
 
-/// A journal line as far as a process holds it, and what it says of files: to read the rest takes as long again.
+/// A journal line as far as a process keeps it, with its data on files. Reading the rest takes as
+/// long again.
 #[derive(Debug, Deserialize)]
 pub(super) struct HeldLine {
     id: CaseId,
@@ -73,17 +74,17 @@ impl Wanted for Fared {
 }
 
 impl HeldLine {
-    /// Whose line it is.
+    /// The id of the line.
     pub(super) fn id(&self) -> CaseId {
         self.id
     }
 
-    /// Whether the case is well.
+    /// Whether the case is ok.
     pub(super) fn is_ok(&self) -> bool {
         self.failure.is_none()
     }
 
-    /// The record, which has its place in the study, and the seals of the case's files.
+    /// The record with its index in the study, and the seals of the case's files.
     pub(super) fn split(self, index: usize) -> (CaseRecord, Seals) {
         let record = CaseRecord {
             failure: self.failure,
@@ -98,16 +99,16 @@ impl HeldLine {
     }
 }
 
-/// A journal line as far as it tells how a sweep fares.
+/// A journal line as far as it shows the state of a sweep.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct Fared {
-    /// Place in grid order, where no points were added.
+    /// Index in grid order, if no points were added.
     pub index: usize,
     /// Identity.
     pub id: CaseId,
     /// Swept keys and their values.
     pub values: BTreeMap<String, serde_json::Value>,
-    /// `None` where the case is well.
+    /// `None` if the case is ok.
     pub failure: Option<FailureKind>,
     /// Why it failed.
     pub reason: String,
@@ -116,7 +117,7 @@ pub struct Fared {
 }
 
 impl Fared {
-    /// Of a case that is well its place and time are enough.
+    /// For a case that is ok, index and time are enough.
     pub fn brief(self) -> Fared {
         if self.failure.is_some() {
             return self;
@@ -126,8 +127,8 @@ impl Fared {
 }
 
 impl CaseRecord {
-    /// The record of a case that just ended. A result that holds a number that is none is a
-    /// failure: neither the journal nor the tables could carry it.
+    /// The record of a case that has just ended. A result with a NaN or an infinite number is a
+    /// failure, because neither the journal nor the tables can hold it.
     pub fn new(
         study: &Study,
         case: &Case,
@@ -190,7 +191,7 @@ impl CaseRecord {
         }
     }
 
-    /// Whether the case is well.
+    /// Whether the case is ok.
     pub fn is_ok(&self) -> bool {
         self.failure.is_none()
     }

@@ -1,5 +1,5 @@
-//! Whether journal and tables can carry every number: JSON has none that are not finite. All else comes back from it
-//! as it was.
+//! Whether journal and tables can hold every number: JSON has no NaN and no infinity. Everything
+//! else comes back unchanged.
 
 use std::fmt::Display;
 
@@ -10,20 +10,20 @@ use serde::ser::{
 
 use crate::simulation::CaseResult;
 
-/// Makes sure that something comes back from JSON as it was.
+/// Makes sure that a value comes back from JSON unchanged.
 pub(super) fn demand(whole: &impl Serialize) -> Result<(), String> {
     whole
         .serialize(Finite)
         .map_err(|NotFinite| "not-a-number: a reported quantity is not a finite number".to_owned())
 }
 
-/// Makes sure of it for what a result leaves in the journal.
+/// The same for the part of a result that goes to the journal.
 pub(super) fn demand_of(result: &CaseResult) -> Result<(), String> {
     let CaseResult { outcome, energy, readings, phases, .. } = result;
     demand(&(outcome, energy, readings, phases))
 }
 
-/// Looks at every number and writes nothing: to write a text and to read it takes many times as long.
+/// Checks every number and writes nothing: writing and reading text takes many times as long.
 #[derive(Clone, Copy)]
 struct Finite;
 
@@ -39,14 +39,14 @@ impl Error for NotFinite {
 
 type Looked = Result<(), NotFinite>;
 
-/// What holds no number that could be none.
+/// Types without numbers that could fail.
 macro_rules! fine {
     ($($name:ident($($argument:ty),*);)*) => {
         $(fn $name(self, $(_: $argument),*) -> Looked { Ok(()) })*
     };
 }
 
-/// What holds others.
+/// Types that contain others.
 macro_rules! open {
     ($($name:ident($($argument:ty),*) -> $kind:ident;)*) => {
         $(type $kind = Finite;
@@ -107,7 +107,7 @@ impl Serializer for Finite {
     }
 }
 
-/// Each value of what holds others.
+/// Each value of a type that contains others.
 macro_rules! each {
     ($($kind:ident: $($name:ident($($key:ty)?)),*;)*) => {
         $(impl $kind for Finite {

@@ -1,15 +1,15 @@
-//! Rows of a table that is written once: made by all cores, in their order.
+//! Rows of a table, made by all cores and written in order.
 
 use std::io::{self, Write};
 
 use rayon::prelude::*;
 
-/// So many rows are made in one go.
+/// Number of rows made at once.
 const PIECE: usize = 512;
-/// And so many are held at once: the table of a large study is never held whole.
+/// Number of rows in memory at once. The table of a large study is never in memory as a whole.
 const HELD: usize = 32 * PIECE;
 
-/// Writes rows, as `text` makes them of what they are of.
+/// Writes rows; `text` makes each row from its data.
 pub(super) fn write<T: Send + Sync>(
     mut into: impl Write,
     mut rows: impl Iterator<Item = T>,

@@ -1,4 +1,4 @@
-//! What a file was when it was written, so that damage shows.
+//! Length and checksum of a file from when it was written, so that damage shows.
 
 use std::collections::BTreeMap;
 use std::fs::File;
@@ -10,7 +10,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use super::checksum::{checksum, checksum_of_rest};
 
-/// What a file was when it was written.
+/// Length and checksum of a file from when it was written.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(untagged)]
 pub enum Seal {
@@ -21,7 +21,7 @@ pub enum Seal {
         /// 16 hex digits.
         sum: String,
     },
-    /// Its length alone, as earlier versions wrote it.
+    /// Only its length, as in earlier versions.
     Length(u64),
 }
 
@@ -44,7 +44,7 @@ impl Seal {
         }
     }
 
-    /// What is wrong with a file; `None` where it is as it was written.
+    /// The fault of a file; `None` if it is unchanged.
     pub(super) fn damage(&self, path: &Path) -> Option<&'static str> {
         match self.fits(path) {
             Some(true) => None,
@@ -55,7 +55,7 @@ impl Seal {
         }
     }
 
-    /// Whether a file is as it was written; `None` where it cannot be read.
+    /// Whether a file is unchanged; `None` if it cannot be read.
     fn fits(&self, path: &Path) -> Option<bool> {
         let mut file = File::open(path).ok()?;
         if self.bytes() > ASKED {
@@ -64,7 +64,8 @@ impl Seal {
             return if alike && matches!(self, Seal::Whole { .. }) { whole() } else { Some(alike) };
         }
         let length = usize::try_from(self.bytes()).ok()?;
-        // One byte more tells at once where it ends: of a million small files each call counts.
+        // Reading one byte more shows at once where it ends. For a million small files each call
+        // matters.
         let mut content = vec![0; length + 1];
         let mut read = 0;
         loop {
@@ -87,7 +88,7 @@ impl Seal {
     }
 }
 
-/// By hand: what `untagged` makes of it holds every value twice before it knows which it is.
+/// By hand, because `untagged` would store every value twice before it knows its type.
 impl<'de> Deserialize<'de> for Seal {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Seal, D::Error> {
         struct Either;
@@ -114,7 +115,7 @@ impl<'de> Deserialize<'de> for Seal {
     }
 }
 
-/// A larger file is asked for its length first, and never held whole.
+/// A larger file is first asked for its length, and is never in memory as a whole.
 const ASKED: u64 = 1 << 20;
 
 /// Seals of a case's files by their folders.

@@ -1,4 +1,4 @@
-//! JSON files that carry their own sum, so that a bit which flips in them shows.
+//! JSON files that contain their own checksum, so that a flipped bit shows.
 //!
 //! The first line of such an object is `"sum"`, the start of SHA-256 over all lines below it.
 
@@ -12,7 +12,7 @@ use super::atomic_file;
 use super::checksum::{checksum, split};
 use super::error::SweepError;
 
-/// What stands before the sum, and behind it.
+/// The text before the sum, and after it.
 const FRAME: [&str; 2] = ["{\n  \"sum\": \"", "\",\n"];
 
 /// Writes an object with fields, under its sum.
@@ -20,7 +20,7 @@ pub(super) fn write(path: &Path, object: &impl Serialize) -> Result<(), SweepErr
     atomic_file::write(path, sealed(object).as_bytes())
 }
 
-/// Reads one; `None` where there is none, or it is not as it was written.
+/// Reads one; `None` if it is missing or has changed.
 pub(super) fn read<T: DeserializeOwned>(path: &Path) -> Option<T> {
     let text = fs::read(path).ok().filter(|text| is_whole(text))?;
     serde_json::from_slice(&text).ok()

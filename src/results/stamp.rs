@@ -1,4 +1,4 @@
-//! The files of a case as the system knows them: by that a change shows without a look into them.
+//! The system's data on the files of a case. A change shows in them without reading the files.
 
 use std::os::fd::OwnedFd;
 use std::path::{Path, PathBuf};
@@ -10,19 +10,19 @@ use super::left::{self, Folders};
 use super::seal::{Seal, Seals};
 use crate::study::CaseId;
 
-/// The files that a case has left, in a few bytes: there may be those of a million cases.
+/// The files of a case in a few bytes, because there may be a million cases.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CaseFiles {
     pub(super) id: CaseId,
     pub(super) folders: Folders,
-    /// Over what they were when they were written.
+    /// A sum over their seals.
     seals: u64,
-    /// Their lengths together.
+    /// The sum of their lengths.
     bytes: u64,
 }
 
 impl CaseFiles {
-    /// Those of a case that has ended well.
+    /// Those of a successful case.
     pub(super) fn of(id: CaseId, seals: &Seals) -> CaseFiles {
         let mut sum = id.number();
         for (folder, seal) in seals {
@@ -37,13 +37,13 @@ impl CaseFiles {
         CaseFiles { id, folders: left::folders(seals), seals: sum, bytes }
     }
 
-    /// Where they are.
+    /// Their paths.
     pub(super) fn paths(self, directory: &Path) -> impl Iterator<Item = PathBuf> {
         self.there().map(move |at| files::path(directory, FOLDERS[at], self.id))
     }
 
-    /// A sum over what the system tells of them. It is another one where any of them was changed or replaced. `None` where
-    /// one is missing, or they are not as long as they were.
+    /// A sum over the system's data on them. It changes if any of them was changed or replaced.
+    /// `None` if one is missing, or their length has changed.
     pub(super) fn stamp(self, folders: &OpenFolders) -> Option<u64> {
         let (name, mut sum, mut bytes) = (files::file_name(self.id), self.seals, 0);
         for folder in self.there().map(|at| &folders.0[at]) {
@@ -55,31 +55,32 @@ impl CaseFiles {
         (bytes == self.bytes).then_some(sum)
     }
 
-    /// The places of their folders.
+    /// Indices of their folders.
     fn there(self) -> impl Iterator<Item = usize> {
         (0..FOLDERS.len()).filter(move |at| self.folders >> at & 1 == 1)
     }
 }
 
-/// The folders of a study's files, open, those that there are: to look up a file from the root on takes a fifth longer.
+/// The existing folders of a study's files, open. Looking up a file from the root would take a
+/// fifth longer.
 pub(super) struct OpenFolders([Option<OwnedFd>; FOLDERS.len()]);
 
 impl OpenFolders {
     /// Those of a directory.
     pub(super) fn of(directory: &Path) -> OpenFolders {
-        // Of a pipe in a folder's place nothing is waited for.
+        // A pipe in a folder's place must not block.
         let flags = OFlags::DIRECTORY | OFlags::CLOEXEC;
         let open = |name| rustix::fs::open(directory.join(name), flags, Mode::empty()).ok();
         OpenFolders(FOLDERS.map(open))
     }
 }
 
-/// Stamps of the cases of a study, by their places. Of a case that runs again the last one counts.
+/// Stamps of the cases of a study, by index. If a case runs again, the last one counts.
 #[derive(Debug, Default)]
 pub(super) struct Stamps(Vec<Option<u64>>);
 
 impl Stamps {
-    /// Of so many cases, none of which has left anything yet.
+    /// For this many cases without files.
     pub(super) fn new(cases: usize) -> Stamps {
         Stamps(vec![Some(0); cases])
     }
@@ -97,7 +98,7 @@ impl Stamps {
     }
 }
 
-/// A sum with one number more. Its steps are those of SplitMix64 (Steele et al. 2014).
+/// A sum with one more number. Its steps are those of SplitMix64 (Steele et al. 2014).
 fn mixed(sum: u64, number: u64) -> u64 {
     let mut mixed = (sum ^ number).wrapping_add(0x9E37_79B9_7F4A_7C15);
     mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);

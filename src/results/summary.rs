@@ -12,7 +12,7 @@ use crate::scene::CaseConfig;
 use crate::study::{Case, Study};
 
 impl CaseRecord {
-    /// What reported quantities are read from.
+    /// The data from which reported quantities are read.
     pub fn reported<'a>(&'a self, config: &'a CaseConfig, bars: Bars) -> quantities::Case<'a> {
         quantities::Case {
             id: self.id.to_string(),
@@ -25,7 +25,7 @@ impl CaseRecord {
     }
 }
 
-/// Bytes that go to the file in one go.
+/// Bytes written to the file at once.
 const BUFFER: usize = 1 << 20;
 
 /// Writes the summary of the finished cases; `records` holds the companions, too.
@@ -41,7 +41,7 @@ pub(super) fn write(
     })
 }
 
-/// The row of a case below the names of the columns, with another record of it than that among `records`.
+/// The row of a case, with the names of the columns, from another record than that among `records`.
 pub(super) fn row(
     study: &Study,
     records: &[Option<CaseRecord>],
@@ -64,7 +64,7 @@ pub(super) fn write_table(
     write_rows(into, study, records, rows)
 }
 
-/// Writes row by row: the table of a large study is never held whole.
+/// Writes row by row: the table of a large study is never in memory as a whole.
 fn write_rows<'a>(
     into: impl Write,
     study: &Study,

@@ -1,4 +1,4 @@
-//! A small study with made-up results, for tests of what a study leaves.
+//! A small study with made-up results, for tests of its files.
 
 use std::path::Path;
 
@@ -25,12 +25,12 @@ pub(super) fn record(study: &Study, case: &Case) -> CaseRecord {
     CaseRecord::new(study, case, &Ok(made_up(&case.config)), 1.0, "here")
 }
 
-/// A directory that goes on.
+/// Opens a directory to go on with it.
 pub(super) fn open(path: &Path, study: &Study) -> Directory {
     Directory::open(path, study, OpenMode::Resume, None, SIMD).unwrap().0
 }
 
-/// Lets a case run and records it.
+/// Runs a case and records it.
 pub(super) fn run(directory: &mut Directory, study: &Study, case: &Case) {
     let result = made_up(&case.config);
     directory.record(record(study, case), Some(&result)).unwrap();

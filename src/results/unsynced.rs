@@ -1,4 +1,4 @@
-//! Files that cases have left and that may not be on the disk yet.
+//! Files of cases that may not be on the disk yet.
 
 use std::fs::File;
 use std::path::Path;
@@ -9,37 +9,40 @@ use super::files::FOLDERS;
 use super::stamp::{CaseFiles, OpenFolders};
 use super::{atomic_file, disk};
 
-/// So many files go to the disk with all else that waits to: one by one they take seven times as long.
+/// From this many files on, they go to the disk together with all other waiting data. One by one
+/// takes seven times as long.
 const MANY: usize = 32;
-/// So many cases that were found on opening go to the disk one by one.
+/// At most this many cases that were found on opening go to the disk one by one.
 const MOST_FOUND: usize = if cfg!(test) { 2 } else { 10_000 };
 
-/// Files that go to the disk in groups. One by one, the coordinator of many ranks would do little but wait for the disk.
+/// Files that go to the disk in groups. One by one, the coordinator of many ranks would mostly wait
+/// for the disk.
 #[derive(Debug)]
 pub(super) struct Unsynced {
-    /// Open from before the first file on: failures since then are told.
+    /// Open from before the first file, so that failures since then are reported.
     directory: Arc<File>,
     cases: Vec<CaseFiles>,
-    /// So many of them were found on opening: an earlier process may have died before they were on the disk.
+    /// Number of files found on opening. An earlier process may have died before they were on the
+    /// disk.
     found: usize,
-    /// Cases whose files have come to the disk where they were written.
+    /// Cases whose files were put on the disk by their writers.
     on_disk: Vec<CaseFiles>,
 }
 
 impl Unsynced {
-    /// What was found in this directory.
+    /// The files found in this directory.
     pub(super) fn new(directory: &Path, cases: Vec<CaseFiles>) -> Result<Unsynced, SweepError> {
         let opened = File::open(directory).map_err(SweepError::io(directory))?;
         let found = cases.len();
         Ok(Unsynced { directory: Arc::new(opened), cases, found, on_disk: Vec::new() })
     }
 
-    /// A case has left its files; they may be on the disk already.
+    /// A case has written its files. They may be on the disk already.
     pub(super) fn add(&mut self, files: CaseFiles, on_disk: bool) {
         if on_disk { &mut self.on_disk } else { &mut self.cases }.push(files);
     }
 
-    /// All of them; none are left.
+    /// Takes all of them out.
     pub(super) fn take(&mut self) -> Unsynced {
         Unsynced {
             directory: self.directory.clone(),
@@ -49,8 +52,8 @@ impl Unsynced {
         }
     }
 
-    /// Puts them on the disk; whether those are there as well that were found. Of very many that would take too long,
-    /// where the system cannot do it in one go.
+    /// Puts them on the disk. Returns whether those found on opening are there too. For very many
+    /// that would take too long, unless the system can do it in one call.
     pub(super) fn sync(&self, directory: &Path) -> Result<bool, SweepError> {
         let files: u32 = self.cases.iter().map(|files| files.folders.count_ones()).sum();
         if files as usize >= MANY && disk::sync_all(&self.directory) {
@@ -64,7 +67,8 @@ impl Unsynced {
         Ok(left_out == 0)
     }
 
-    /// A sum over what the system tells of all that were not found on opening; see [`CaseFiles::stamp`].
+    /// A sum over the system's data on all files that were not found on opening; see
+    /// [`CaseFiles::stamp`].
     pub(super) fn stamp(&self, directory: &Path) -> Option<u64> {
         let folders = OpenFolders::of(directory);
         let mut new = self.cases[self.found..].iter().chain(&self.on_disk);

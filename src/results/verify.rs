@@ -1,4 +1,4 @@
-//! Whether a directory still holds what was written into it.
+//! Checks whether the contents of a directory are unchanged.
 
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -13,18 +13,18 @@ use super::{checkpoints, derived, energy, journal, opening, probe_columns, summa
 use crate::keys::named;
 use crate::study::Study;
 
-/// What a look at all of a directory has shown.
+/// The result of a check of a whole directory.
 #[derive(Debug)]
 pub struct Verified {
-    /// Everything that is not as it was written, in words.
+    /// Everything that has changed, in words.
     pub told: Vec<String>,
     /// Files of cases that are damaged or missing.
     pub damaged: Vec<PathBuf>,
-    /// The finished cases and companions, as [`super::finished`] has them.
+    /// The finished cases and companions, as in [`super::finished`].
     pub records: Vec<Option<CaseRecord>>,
 }
 
-/// Looks at everything in a directory.
+/// Checks everything in a directory.
 pub fn verify(directory: &Path, study: &Study) -> Result<Verified, SweepError> {
     let mut filling = Filling::<HeldLine>::new(directory, study);
     let content = journal::read_in_blocks(directory, |lines| filling.take(lines))?;
@@ -56,8 +56,9 @@ pub fn verify(directory: &Path, study: &Study) -> Result<Verified, SweepError> {
     Ok(Verified { told, damaged, records })
 }
 
-/// Makes the tables again that are not what the journal says; their names. Where the journal lacks cases, and the
-/// summary has more rows than it knows, all stay: the sweep's next run brings them together.
+/// Makes the tables again that differ from the journal; returns their names. If the journal lacks
+/// cases, and the summary has more rows than it, all tables stay. The sweep's next run makes them
+/// agree.
 pub fn renew_tables(
     directory: &Path,
     study: &Study,
@@ -82,7 +83,7 @@ pub fn renew_tables(
     Ok(renewed)
 }
 
-/// What is made from journal and study alone.
+/// A table that is made from journal and study alone.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Table {
     Summary,
@@ -113,7 +114,7 @@ impl Table {
         }
     }
 
-    /// What is wrong with one that does not fit.
+    /// The fault of one that does not fit.
     fn told(self) -> &'static str {
         match self {
             Table::Summary | Table::Energy => "is not what the journal says",
@@ -121,7 +122,7 @@ impl Table {
         }
     }
 
-    /// Whether it is what the journal says.
+    /// Whether it agrees with the journal.
     fn fits(
         self,
         directory: &Path,
@@ -137,7 +138,7 @@ impl Table {
             return Ok(false);
         }
         if !path.exists() {
-            // Or else the sweep has not come so far.
+            // Otherwise the sweep has not come so far.
             return Ok(cases.iter().any(Option::is_none));
         }
         let there = File::open(&path).map_err(SweepError::io(&path))?;
@@ -157,10 +158,10 @@ impl Table {
 }
 
 const SUMMARY: &str = "summary.csv";
-/// Bytes that are read in one go.
+/// Bytes read at once.
 const BUFFER: usize = 1 << 20;
 
-/// Takes what a file should hold, and compares it with what is there.
+/// Takes the expected contents of a file, and compares them with the file.
 struct Comparison {
     there: BufReader<File>,
     same: bool,
@@ -209,7 +210,7 @@ mod tests {
             std::fs::write(&name, damaged).unwrap();
             let found = told();
             assert!(!found.is_empty(), "{}", name.display());
-            // Nothing is mended by looking.
+            // A check repairs nothing.
             assert!(!found[0].contains("set aside"), "{found:?}");
             let directory = trial::open(&path, &study);
             assert_eq!(directory.runs().iter().flatten().count() == 1, case_runs_again);
@@ -225,7 +226,7 @@ mod tests {
         let records = finished(&path, &study).unwrap();
         assert_eq!(renew_tables(&path, &study, &records).unwrap(), ["summary.csv", "energy.csv"]);
         assert!(renew_tables(&path, &study, &records).unwrap().is_empty());
-        // A line too many is no case that the journal lacks.
+        // An extra line is no case that the journal lacks.
         let line_too_many = std::fs::read_to_string(path.join("summary.csv")).unwrap() + "junk\n";
         std::fs::write(path.join("summary.csv"), line_too_many).unwrap();
         assert_eq!(renew_tables(&path, &study, &records).unwrap(), ["summary.csv"]);

@@ -1,4 +1,4 @@
-//! What is recorded and waits to be put on the disk.
+//! Recorded data that wait to be put on the disk.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -13,7 +13,7 @@ use super::stamp::CaseFiles;
 use super::unsynced::Unsynced;
 use crate::study::CaseId;
 
-/// Lines and files are on the disk after this time at most.
+/// Longest time until lines and files are on the disk.
 pub(super) const LONGEST: Duration = Duration::from_millis(200);
 
 /// Lines and files that may not be on the disk yet.
@@ -22,17 +22,17 @@ pub(super) struct Waiting {
     files: Unsynced,
     /// The cases of the lines.
     lines: Vec<CaseId>,
-    /// What goes to the disk just now.
+    /// The data that go to the disk at present.
     group: Option<Group>,
-    /// Of what has gone there.
+    /// Notes on the data on the disk.
     notes: Notes,
-    /// Cases that have lost files. Nothing is noted before they have run again.
+    /// Cases that have lost files. No notes are written before they have run again.
     owed: BTreeSet<CaseId>,
 }
 
 impl Waiting {
-    /// What was found in this directory: the files of these cases may not be on the disk yet, and those of
-    /// `owed` are damaged or missing.
+    /// The state found in this directory. The files of these cases may not be on the disk yet.
+    /// Those of `owed` are damaged or missing.
     pub(super) fn new(
         directory: &Path,
         found: Vec<CaseFiles>,
@@ -43,7 +43,7 @@ impl Waiting {
         Ok(Waiting { files, lines: Vec::new(), group: None, notes, owed })
     }
 
-    /// A case has left its files; they may be on the disk already.
+    /// A case has written its files. They may be on the disk already.
     pub(super) fn add_files(&mut self, files: CaseFiles, on_disk: bool) {
         self.files.add(files, on_disk);
     }
@@ -60,8 +60,9 @@ impl Waiting {
         self.group.is_none() && self.lines.is_empty()
     }
 
-    /// Puts everything on the disk: if `now`, before it returns; otherwise what has waited long enough,
-    /// beside everything else. A case that is on the disk needs its checkpoint no more.
+    /// Puts everything on the disk. With `now` it waits for that. Otherwise only data that have
+    /// waited long enough go, in parallel with other work. A case on the disk needs no checkpoint
+    /// any more.
     pub(super) fn sync(
         &mut self,
         directory: &Path,
@@ -83,7 +84,7 @@ impl Waiting {
         let put = move |journal: &mut Journal| {
             let with_found = files.sync(&path)?;
             journal.sync()?;
-            // A note comes after all that it tells of.
+            // A note is written after all data that it covers.
             let notes = if with_found { notes } else { Notes::none() };
             let notes = notes.add(&path, &files, lines, bytes);
             if is_whole { notes.write(&path) } else { Ok(notes) }
@@ -107,7 +108,7 @@ struct Group {
 }
 
 impl Group {
-    /// Begins; `sync` puts everything that these cases have left on the disk, and notes it.
+    /// Starts it. `sync` puts all files of these cases on the disk, and writes the notes.
     fn start(
         cases: Vec<CaseId>,
         sync: impl FnOnce() -> Result<Notes, SweepError> + Send + 'static,
@@ -115,12 +116,12 @@ impl Group {
         Group { cases, thread: std::thread::spawn(sync) }
     }
 
-    /// Whether the disk has answered.
+    /// Whether the disk has finished.
     fn is_ended(&self) -> bool {
         self.thread.is_finished()
     }
 
-    /// Waits for the disk; what is on it now, and what is noted of it.
+    /// Waits for the disk. Returns the cases on it, and the notes.
     fn end(self) -> Result<(Vec<CaseId>, Notes), SweepError> {
         let panicked = |_| SweepError::Executor("writing to the disk ended in a panic".to_owned());
         let notes = self.thread.join().unwrap_or_else(|panic| Err(panicked(panic)))?;

@@ -1,17 +1,18 @@
-//! How much of a journal line is read.
+//! The part of a journal line that is read.
 
 use std::borrow::Cow;
 
 use serde::de::DeserializeOwned;
 
-/// What somebody wants of a record.
+/// The needed part of a record.
 pub trait Wanted: DeserializeOwned + Send {
-    /// What stands from the first of the one on, and before the last of the other, is not wanted: keys as lines have them. Of
-    /// a million lines it takes seconds to read. No text in a line has such a key in it, as its quotes are escaped there.
+    /// The text from the first key up to the last occurrence of the second is not needed; keys are
+    /// as in the lines. Reading it takes seconds for a million lines. No text in a line can contain
+    /// such a key, because its quotes are escaped there.
     const UNWANTED: Option<[&'static str; 2]> = None;
 }
 
-/// The text of an entry without what is not wanted of it.
+/// The text of an entry without its unneeded part.
 pub(super) fn wanted<R: Wanted>(entry: &[u8]) -> Cow<'_, [u8]> {
     let cut = || {
         let ([from, to], text) = (R::UNWANTED?, str::from_utf8(entry).ok()?);
@@ -37,7 +38,7 @@ mod tests {
         })
     }
 
-    /// Words of a user's file that look like keys are none.
+    /// Words of a user's file that look like keys have no effect.
     #[test]
     fn nothing_that_is_wanted_is_left_out() {
         let study = trial::study("0.2");

@@ -22,11 +22,11 @@ fn what_changed_since_it_was_made_is_told() {
     names.iter().for_each(|name| write(name, "new"));
     let told = ["figures/a.svg", "films/a.html", "report.html", "tables/a.csv", "vtk/a/b.vtu"];
     assert_eq!(damage(directory), told.map(|name| format!("{name} is damaged")));
-    // To make all again mends all but what nobody has filmed.
+    // Making all again repairs all except films.
     Derived::begin(directory, MADE_BY_RUNS).unwrap();
     Derived::end(directory, &[], false).unwrap();
     assert_eq!(damage(directory), ["films/a.html is damaged", "vtk/a/b.vtu is damaged"]);
-    // The choices of a sweep are not a report's to make.
+    // A report must not make the choices of a sweep.
     write("max_error.csv", "old");
     Derived::end(directory, &[], false).unwrap();
     write("max_error.csv", "new");
@@ -44,12 +44,12 @@ fn what_changed_since_it_was_made_is_told() {
     assert!(damage(directory).is_empty());
     fs::remove_file(&film).unwrap();
     assert_eq!(damage(directory), ["films/a.html is missing"]);
-    // A film that was not made again as a directory was in its way was forgotten.
+    // A film that was not made again, because a directory was in its way, was once forgotten.
     fs::create_dir(&film).unwrap();
     Derived::renew(directory, std::slice::from_ref(&film)).unwrap();
     assert_eq!(damage(directory), ["films/a.html is a directory"]);
     fs::remove_dir(&film).unwrap();
-    // So was one whose whole folder a file stood in the place of.
+    // So was one with a file in the place of its folder.
     fs::remove_dir(directory.join("films")).unwrap();
     write("films", "a file");
     Derived::renew(directory, std::slice::from_ref(&film)).unwrap();
@@ -64,7 +64,8 @@ fn what_changed_since_it_was_made_is_told() {
     assert!(damage(directory).is_empty());
 }
 
-/// A sweep that had run its cases was called finished, whether or not it had made what comes after them.
+/// A sweep that had run its cases was once called finished, even if it had not made the files after
+/// them.
 #[test]
 fn a_sweep_owes_until_all_is_made() {
     let root = tempfile::tempdir().unwrap();
@@ -78,7 +79,7 @@ fn a_sweep_owes_until_all_is_made() {
     assert!(!Derived::is_owed(directory));
 }
 
-/// A study that goes on may have no use for a figure that it had, which stayed and was sealed as if it were new.
+/// A continued study may no longer have a figure. The old one once stayed and was sealed as new.
 #[test]
 fn what_a_report_has_no_more_is_removed_and_nothing_else() {
     let root = tempfile::tempdir().unwrap();
@@ -96,13 +97,13 @@ fn what_a_report_has_no_more_is_removed_and_nothing_else() {
         names.map(|name| directory.join(name).exists())
     };
     assert_eq!(report(&[names[0], names[1], names[3]]), [true; 4]);
-    // A process that dies on the way does not forget.
+    // A process that dies on the way does not lose the list.
     Derived::begin(directory, MADE_BY_SWEEPS).unwrap();
     assert_eq!(report(&[names[1]]), [false, true, true, false]);
     assert_eq!(report(&[names[1]]), [false, true, true, false]);
 }
 
-/// The sweep and the report ended with an error, as no seal can be made of it.
+/// Sweep and report once ended with an error, because such a link cannot be sealed.
 #[test]
 fn a_link_that_leads_nowhere_is_passed_over() {
     let root = tempfile::tempdir().unwrap();

@@ -60,7 +60,7 @@ fn what_is_recorded_while_a_group_is_on_its_way_belongs_to_the_next() {
     let (mut directory, _) = open(&path, &study, OpenMode::Resume).unwrap();
     for case in &study.cases {
         run(&mut directory, &study, case);
-        // A line is there at once: a killed process loses nothing.
+        // A line is there at once, so a killed process loses nothing.
         assert_eq!(journal::read_journal(&path).unwrap().records.len(), case.index + 1);
         std::thread::sleep(waiting::LONGEST);
         directory.sync(false).unwrap();
@@ -86,7 +86,7 @@ fn another_sweeps_directory_is_refused_untouched() {
     assert_eq!(opened, Opened::Moved(root.path().join("run.old-1")));
 }
 
-/// The story: a link to a large disk was moved aside, and a folder beside it took the new results.
+/// A link to a large disk was once moved aside, and a folder beside it took the new results.
 #[test]
 fn a_link_still_leads_to_the_disk_it_led_to() {
     let root = tempfile::tempdir().unwrap();
@@ -136,7 +136,7 @@ fn files_that_go_away_are_missed() {
     run_first(&mut directory, &study);
     let told = |directory: &Directory| directory.left().demand(&path).map_err(|e| e.to_string());
     assert_eq!(told(&directory), Ok(()));
-    // What is read from the journal knows it as well as what has just run.
+    // The journal's reader knows it as well as a new run.
     drop(directory);
     let (directory, _) = open(&path, &study, OpenMode::Resume).unwrap();
     assert_eq!(told(&directory), Ok(()));

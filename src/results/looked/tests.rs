@@ -19,14 +19,14 @@ impl Desk {
         Desk { root: tempfile::tempdir().unwrap(), study }
     }
 
-    /// Four of them are done. The first history was damaged before it was noted, so that nobody sees it who trusts the note.
+    /// Four are done. The first history was damaged before the note, which therefore hides it.
     fn noted() -> Desk {
         let desk = Desk::new();
         let mut directory = trial::open(&desk.path(), &desk.study);
         (0..4).for_each(|case| run(&mut directory, &desk.study, &desk.study.cases[case]));
         flip(&desk.history(0));
         directory.sync(true).unwrap();
-        // Clocks of disks are coarse.
+        // Times of files are coarse.
         std::thread::sleep(Duration::from_millis(20));
         desk
     }
@@ -45,7 +45,7 @@ impl Desk {
         directory.sync(true)
     }
 
-    /// How many cases are well, and what was found damaged.
+    /// The number of intact cases, and the damage that was found.
     fn opened(&self, path: &Path) -> (usize, String) {
         let open = Directory::open(path, &self.study, OpenMode::Resume, None, trial::SIMD);
         match open.unwrap() {
@@ -85,7 +85,7 @@ fn what_was_noted_is_not_read() {
     assert_eq!(desk.opened(&moved), (4, String::new()));
 }
 
-/// Each of these changes leaves a note without worth.
+/// Each of these changes makes a note worthless.
 #[test]
 fn all_is_read_where_anything_differs() {
     fn chmod(path: &Path) {
@@ -113,7 +113,7 @@ fn all_is_read_where_anything_differs() {
         text[end + 12] ^= 1; // of its sum
         fs::write(path, text).unwrap();
     }
-    /// What is changed, and how many cases are well then.
+    /// A name, the number of intact cases after the change, and the change.
     type Change = (&'static str, usize, fn(&Desk));
     let changes: [Change; 13] = [
         ("time of a file", 3, |desk| chmod(&desk.history(2))),
@@ -141,7 +141,7 @@ fn all_is_read_where_anything_differs() {
     }
 }
 
-/// The story: a note vouched for the files of a copy.
+/// A note once covered the files of a copy.
 #[test]
 fn a_copied_directory_is_read() {
     let desk = Desk::noted();
@@ -152,7 +152,7 @@ fn a_copied_directory_is_read() {
     assert_eq!(desk.opened(&desk.path()).0, 4);
 }
 
-/// The story: for half a line the whole journal was written anew, as another file, of which the note knew nothing.
+/// For half a line the journal was once written again, as a file unknown to the note.
 #[test]
 fn a_torn_line_is_cut_off_and_leaves_the_note_its_worth() {
     let desk = Desk::noted();
@@ -178,7 +178,7 @@ fn nothing_is_noted_before_damaged_cases_have_run() {
     assert_eq!(desk.lines(), Some(6), "what runs again counts once");
 }
 
-/// The story: a note vouched for files that a killed process had written, and nobody had put on the disk.
+/// A note once covered files of a killed process that were not on the disk.
 #[test]
 fn what_a_killed_process_has_left_goes_to_the_disk_before_it_is_noted() {
     let killed = || {
@@ -198,14 +198,14 @@ fn what_a_killed_process_has_left_goes_to_the_disk_before_it_is_noted() {
     assert_eq!(desk.lines(), Some(5));
     drop(directory);
     assert_eq!(desk.opened(&desk.path()), (5, String::new()));
-    // What cannot be put on the disk is not noted.
+    // Files that cannot be put on the disk get no note.
     let desk = killed();
     let mut directory = trial::open(&desk.path(), &desk.study);
     fs::remove_file(desk.history(3)).unwrap();
     assert!(desk.run(&mut directory, 4).is_err());
     assert_eq!(desk.lines(), Some(3));
     drop(directory);
-    // Of all that was found without a note, one by one would take too long: nothing is noted.
+    // Putting all found files on the disk one by one would take too long: no note.
     let desk = killed();
     fs::remove_file(desk.path().join(FILE_NAME)).unwrap();
     let mut directory = trial::open(&desk.path(), &desk.study);
