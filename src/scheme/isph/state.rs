@@ -84,7 +84,7 @@ pub struct Isph {
     /// corrected, 1/s.
     pub(super) shortfall: Option<(Shortfall, f64)>,
     /// Dynamic pressure of the step under way, Pa, without the responding wall's acceleration; and
-    /// the whole pressure that the gradient was last taken of.
+    /// the pressure whose gradient was taken last.
     pub(super) pressure: Vec<f64>,
     pub(super) own_pressure: Vec<f64>,
     /// Dynamic and whole pressure of the water with that acceleration, Pa: see [`Isph::settle_pressures`].
