@@ -102,7 +102,7 @@ impl Exchange {
         }
     }
 
-    /// [`KernelChoice::half_plane_fraction`] at a distance in metres, from a table.
+    /// [`crate::kernel::KernelChoice::half_plane_fraction`] at a distance in metres, from a table.
     fn share(&self, distance: f64) -> f64 {
         let at = distance * self.rules.scaling.inverse_radius;
         if at.abs() >= 1.0 {

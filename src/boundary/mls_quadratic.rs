@@ -28,7 +28,7 @@ const POWERS: [[usize; 2]; SIZE] = [[2, 0], [1, 1], [0, 2], [1, 0], [0, 1], [0, 
 /// Smallest pivot over its diagonal entry that counts as not singular.
 const SINGULAR: f64 = 1e-9;
 
-/// Σ W V ξᵃ ηᵇ for a + b ≤ 4, at [a][b].
+/// Σ W V ξᵃ ηᵇ for a + b ≤ 4, at `[a][b]`.
 type Moments<L> = [[L; 5]; 5];
 
 /// Coefficients of the weights in the basis, up to a factor: M c ∝ e; and 1 in singular lanes.

@@ -4,7 +4,7 @@
 //! seconds. It says how much of the journal is on the disk with the files of its cases, and has the
 //! system's data on these files. A resuming process asks the system for the same data, and only
 //! reads the files of later lines. If anything differs, all files are read. A flipped bit on the
-//! disk does not change the system's data. It is found by [`super::verify`].
+//! disk does not change the system's data. It is found by [`mod@super::verify`].
 
 use std::fs;
 use std::path::Path;

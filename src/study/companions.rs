@@ -1,5 +1,5 @@
 //! Resolution companions: the same cases with coarser particles. Their differences give the error
-//! bars ([`super::error_bars`]).
+//! bars (`results/error_bars.rs`).
 //!
 //! A companion is a run like any other: planned, branched from its own trunk, journalled, resumed.
 //! It has no row in the summary and leaves no history.

@@ -10,10 +10,10 @@ impl SpringWall {
     /// m a = s max(F - F_th, 0) - k X̄,  X̄ = X + η V Δt + β a Δt²,  β = (1 + η)²/4
     /// V⁺ = V + a Δt,  X⁺ = X + V⁺ Δt,  η = κ/(1 + κ),  κ = k Δt²/(4 (m + sA))
     /// ```
-    /// This is Newmark's family (1959) with γ = ½ + η, written for three instants: X̄ is βX⁺ + (½ -
-    /// 2β + γ)X + (½ + β - γ)X⁻. If the step resolves the spring, η vanishes and X̄ is the mean (X⁺
-    /// + 2X + X⁻)/4, which neither adds nor removes energy. A spring that is far too stiff for the
-    /// step moves to the balance of the force: η = 1, X̄ = X⁺.
+    /// This is Newmark's family (1959) with γ = ½ + η, written for three instants:
+    /// X̄ = βX⁺ + (½ - 2β + γ)X + (½ + β - γ)X⁻. If the step resolves the spring, η vanishes. X̄ is
+    /// then the mean (X⁺ + 2X + X⁻)/4, which neither adds nor removes energy. A spring that is far
+    /// too stiff for the step moves to the balance of the force: η = 1, X̄ = X⁺.
     ///
     /// Force and velocity must alternate as those of the water do. Over a step the water before the
     /// wall acts as another spring, of stiffness K. If its force were held while the wall moves

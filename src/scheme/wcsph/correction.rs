@@ -29,21 +29,25 @@ pub(super) fn smallest_eigenvalue<D: Double>([xx, xy, yy]: [D; 3]) -> D {
 }
 
 /// Inverse of Σ V (x_j - x_i) ⊗ ∇W. It fades to the identity where the support is too incomplete
-/// for the inverse to be trusted. The rows of a tip that is drawn upwards lie far apart, so a
-/// completeness of 0.35 is not yet spray. Under the surface only a share of the inverse is taken:
-/// see [`surface_share`].
+/// for the inverse to be trusted. Beside walls it fades later, because their ghosts move with the
+/// water; `of_walls` is their part of the sum's trace. Under the surface only a share of it is
+/// taken: see [`surface_share`].
 #[inline(always)]
 pub(super) fn correction<D: Double>(
     [xx, xy, yy]: [D; 3],
     completeness: D,
+    of_walls: D,
     first_row: f64,
 ) -> [D; 3] {
-    const TRUSTED_FROM: f64 = 0.19;
-    const TRUSTED_FULL: f64 = 0.32;
+    const TRUSTED_FROM: f64 = 0.35;
+    const TRUSTED_FULL: f64 = 0.48;
+    const LOWER_AT_WALLS: f64 = 0.16;
+    const AT_WALLS: f64 = 1.0 / 3.0;
     let (zero, one) = (D::splat(0.0), D::splat(1.0));
     let determinant = (xx * yy - xy * xy).max(D::splat(1e-3));
-    let above = completeness - D::splat(TRUSTED_FROM);
-    let trust = above * D::splat(1.0 / (TRUSTED_FULL - TRUSTED_FROM));
+    let at_walls = (of_walls * D::splat(1.0 / AT_WALLS)).min(one);
+    let raised = at_walls.mul_add(D::splat(LOWER_AT_WALLS), completeness);
+    let trust = (raised - D::splat(TRUSTED_FROM)) * D::splat(1.0 / (TRUSTED_FULL - TRUSTED_FROM));
     let trust = trust.max(zero).min(one);
     let share = (trust * surface_share(completeness, first_row)).div(determinant);
     let rest = one - trust;
@@ -103,7 +107,7 @@ mod tests {
             let moment = self.0.map(L::splat);
             let completeness = smallest_eigenvalue(moment);
             let first = |lanes: L| -> f64 { lanes.to_array()[0] };
-            let found = correction(moment, completeness, self.1);
+            let found = correction(moment, completeness, L::splat(0.0), self.1);
             (found.map(first), first(surface_share(completeness, self.1)))
         }
     }

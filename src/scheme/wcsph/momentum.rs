@@ -221,7 +221,7 @@ impl<const CORRECTED: bool, const VISCOUS: bool, const GRADIENTS: bool>
         }
         here.put(concentration_x, gradient[0]);
         here.put(concentration_y, gradient[1]);
-        self.support.put(here, moment, support);
+        self.support.put(here, moment, water.moment, support);
     }
 }
 

@@ -44,13 +44,14 @@ pub(super) struct Support {
 }
 
 impl Support {
-    /// Writes the completeness of the support, then the next correction's xx, xy and yy, of the
-    /// moment of all neighbours.
+    /// Writes the completeness of the support, then the next correction's xx, xy and yy. Inputs are
+    /// the moment of all neighbours, and that of the water among them.
     #[inline(always)]
     pub fn put<D: Double>(
         self,
         here: Here,
         [xx, xy, yy]: [D; 3],
+        [water_xx, _, water_yy]: [D; 3],
         [completenesses, next_xx, next_xy, next_yy]: &mut [&mut [f64]; 4],
     ) {
         if !self.wanted {
@@ -61,7 +62,9 @@ impl Support {
         let completeness = smallest_eigenvalue(moment);
         here.put(completenesses, completeness);
         if self.corrected {
-            let [xx, xy, yy] = correction(moment, completeness, self.first_row);
+            let of_water = (water_xx + water_yy) * radius;
+            let of_walls = moment[0] + moment[2] - of_water;
+            let [xx, xy, yy] = correction(moment, completeness, of_walls, self.first_row);
             here.put(next_xx, xx);
             here.put(next_xy, xy);
             here.put(next_yy, yy);
