@@ -1,4 +1,4 @@
-//! Speed against error, from `accuracy.csv` alone: a figure and a page of tables.
+//! Speed against error: a figure and a page of tables, made from `accuracy.csv` alone.
 
 use std::path::{Path, PathBuf};
 
@@ -11,7 +11,7 @@ use super::tables::Table;
 use super::{make, save};
 use crate::math::lists::different;
 
-/// The columns of `accuracy.csv`. Rows of the cases `all` and `loads` are a method's sums.
+/// The columns of `accuracy.csv`. The cases `all` and `loads` hold a method's sums.
 pub const HEADER: [&str; 10] = [
     "case",
     "method",
@@ -25,7 +25,7 @@ pub const HEADER: [&str; 10] = [
     "reason",
 ];
 
-/// What stands in place of a case for sums, and what their tables are called.
+/// Names that stand in place of a case where a row holds sums, and the titles of their tables.
 const GROUPS: [(&str, &str); 2] =
     [("all", "Methods, all quantities"), ("loads", "Methods, force and displacement alone")];
 
@@ -62,7 +62,7 @@ pub fn write(directory: &Path, about: &[(String, String)]) -> Result<PathBuf, Re
     Ok(path)
 }
 
-/// A dot for every method, both axes logarithmic; `None` without any.
+/// A dot for every method, both axes logarithmic; `None` without methods.
 fn error_against_time(lines: &[Line]) -> Option<Figure> {
     let point = |line: &Line| {
         let (x, y) = (line.cpu_time_s?, line.error_percent?);

@@ -1,4 +1,4 @@
-//! One column of a table in little memory: every different cell once.
+//! One column of a table in little memory: each different cell is kept once.
 
 use std::collections::HashMap;
 use std::ops::Index;
@@ -38,12 +38,12 @@ impl Cells {
         self.different.iter().map(|cell| &**cell)
     }
 
-    /// A cell that shares its text with the column.
+    /// The cell of a row. It shares its text with the column.
     pub fn shared(&self, row: usize) -> Arc<str> {
         self.different[self.at[row] as usize].clone()
     }
 
-    /// The column with another text in the place of each different one.
+    /// The column with each different text replaced.
     pub fn map(&self, text: impl FnMut(&str) -> String) -> Cells {
         let texts: Vec<_> = self.different().map(text).collect();
         self.at.iter().map(|&place| &texts[place as usize]).collect()

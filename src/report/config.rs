@@ -1,5 +1,5 @@
-//! What every case was: all values of its `[scene]` and `[numerics]`, from the manifest and from the
-//! swept keys in its row.
+//! All values of `[scene]` and `[numerics]` of each case, from the manifest and from the swept keys
+//! in its row.
 
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
@@ -16,7 +16,7 @@ use crate::quantities::Column;
 use crate::quantities::summary::{BOUNDARY, KERNEL, PARTICLE_SPACING, SCHEME};
 use crate::scene::{CaseConfig, odd_values};
 
-/// All values of one case, those that the program chose included.
+/// All values of one case, with those that the program chose.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Config {
     /// `[scene]`.
@@ -31,22 +31,22 @@ impl Config {
         number(self.scene.get(key)?)
     }
 
-    /// The number of a key of the scene that is also a column.
+    /// The number of a scene key that is also a column.
     pub fn number(&self, column: &Column) -> Option<f64> {
         self.value(column.name)
     }
 }
 
-/// One for every row of the summary; `None` where the files do not tell it: without a manifest, or with
-/// one whose file is no sweep that this program reads.
+/// The values of each row of the summary. `None` where the files do not tell them: there is no
+/// manifest, or its file is no sweep that this program reads.
 pub fn configs(data: &Loaded) -> Vec<Option<Config>> {
     each_config(data, 0..data.rows.len()).collect()
 }
 
-/// So many are made in one go, by all cores.
+/// How many are made at once, on all cores.
 const BLOCK: usize = 1024;
 
-/// Likewise, of some rows by their places, a block of them at a time: those of a large study take gigabytes.
+/// The values of the rows at these places, made in blocks: those of a large study take gigabytes.
 pub fn each_config(
     data: &Loaded,
     mut rows: impl Iterator<Item = usize>,
@@ -60,8 +60,8 @@ pub fn each_config(
     std::iter::from_fn(block).flatten()
 }
 
-/// What of these rows' cases looks like a slip, each key once with its first sentence, as `seawall check` has it. One
-/// that plays a record is left out: its file may be out of reach.
+/// Values in these rows that look like a slip, each key once with its first sentence, as `seawall
+/// check` prints it. Cases that play a record are left out: their file may be out of reach.
 pub fn oddities(data: &Loaded, rows: impl Iterator<Item = usize>) -> Vec<String> {
     let Some(file) = data.file() else { return Vec::new() };
     let mut odd = BTreeMap::new();
@@ -78,8 +78,8 @@ pub fn oddities(data: &Loaded, rows: impl Iterator<Item = usize>) -> Vec<String>
     odd.into_values().collect()
 }
 
-/// A recorded stroke stands here as its path: a long record in every case would take gigabytes, and its
-/// file may be out of reach where the report is made.
+/// The key of a recorded stroke, whose value here is its path. A long record in every case would
+/// take gigabytes. Its file may also be out of reach where the report is made.
 const STROKE: &str = "recorded_stroke";
 
 /// A gauge of a study.
@@ -89,7 +89,7 @@ pub struct Gauge {
     pub name: String,
     /// `pressure`, `level` or `void`.
     pub kind: String,
-    /// Place along the tank, m, of a gauge in no wall.
+    /// Place along the tank, m; only for gauges outside a wall.
     pub x_m: Option<f64>,
     /// Height above the bed, m.
     pub y_m: Option<f64>,
@@ -101,7 +101,7 @@ pub fn gauges(data: &Loaded) -> Vec<Gauge> {
     probes.filter_map(|table| table.try_into().ok()).collect()
 }
 
-/// The clocks at the first points of strokes' files, s, by their paths: each file is opened once.
+/// The time of the first point in each stroke's file, s, by path. Each file is opened once.
 type Starts = Mutex<BTreeMap<String, f64>>;
 
 fn config(file: &StudyFile, data: &Loaded, row: usize, starts: &Starts) -> Option<Config> {
@@ -117,7 +117,7 @@ fn config(file: &StudyFile, data: &Loaded, row: usize, starts: &Starts) -> Optio
     let config = CaseConfig::with_probes(&scene, &numerics, &file.probes).ok()?;
     let row = &data.rows[row];
     let mut numerics = config.numerics.table();
-    // What --max-error chose for the case.
+    // What `--max-error` chose for the case.
     for column in [&SCHEME, &BOUNDARY, &KERNEL] {
         set(&mut numerics, column, Some(row.text(column)).filter(|text| !text.is_empty()));
     }
@@ -129,7 +129,7 @@ fn config(file: &StudyFile, data: &Loaded, row: usize, starts: &Starts) -> Optio
     Some(Config { scene, numerics })
 }
 
-/// Sets what the case has anyway.
+/// Sets a key that the case already has.
 fn set(table: &mut Table, column: &Column, value: Option<impl Into<Value>>) {
     if let Some((place, value)) = table.get_mut(column.name).zip(value) {
         *place = value.into();
@@ -175,8 +175,8 @@ mod tests {
         assert_eq!(numbers.collect::<Vec<_>>(), [None, Some(10.0)]);
     }
 
-    /// Without its file the keys of a study were unknown: `compare` then paired every tank with every other.
-    /// The clock of one that is there counts, as a long run has other defaults.
+    /// Without the stroke's file the keys of a study were unknown: `compare` then paired every tank
+    /// with every other. Where the file is there, its clock counts: a long run has other defaults.
     #[test]
     fn a_recorded_stroke_is_its_path() {
         let shipped = concat!(env!("CARGO_MANIFEST_DIR"), "/sweeps/usace_1995/stroke_b.csv");
@@ -191,7 +191,7 @@ mod tests {
         }
     }
 
-    /// It was opened once for each case, which takes long on a disk far away.
+    /// The file was opened once for each case, which takes long on a distant disk.
     #[test]
     fn the_file_of_a_stroke_is_opened_once() {
         let root = tempfile::tempdir().unwrap();

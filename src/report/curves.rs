@@ -1,4 +1,4 @@
-//! Sorts rows for figures and tables: which cases stand in a response's figure, which values occur.
+//! Sorts rows for figures and tables: the cases in a response's figure, and the values that occur.
 
 use std::collections::HashSet;
 
@@ -29,7 +29,7 @@ pub fn responses<'a>(rows: &'a [Row], variant: &str, response: &Column) -> Vec<&
         Some([mass?, wave?, stiffness?])
     };
     let all = rows.iter().filter(|row| row.is_ok() && *row.variant == *variant);
-    // Each number is read once: a text is not compared quickly.
+    // Each number is read once, as comparing texts is slow.
     let mut all: Vec<_> = all.filter_map(|row| Some((place(row)?, row))).collect();
     all.sort_by(|(a, _), (b, _)| a.partial_cmp(b).expect("finite numbers have an order"));
     all.into_iter().map(|(_, row)| row).collect()
@@ -40,19 +40,19 @@ pub fn by_mass<'r, 'a>(sorted: &'r [&'a Row]) -> impl Iterator<Item = &'r [&'a R
     sorted.chunk_by(|a, b| a.number(&M_STAR) == b.number(&M_STAR))
 }
 
-/// Whether of rows of the same mass any two differ in their stiffness: else no response curve has two points.
+/// Whether two rows of the same mass differ in stiffness. If not, no curve has two points.
 pub fn has_curve(sorted: &[&Row]) -> bool {
     let stiffness = |row: &Row| row.number(&LOG10_K_STAR);
     by_mass(sorted).any(|rows| rows.iter().any(|row| stiffness(row) != stiffness(rows[0])))
 }
 
-/// The different values of a column among rows, rising; empty cells are left out.
+/// The different values of a column among rows, in rising order; empty cells are left out.
 pub fn distinct<'a>(rows: impl Iterator<Item = &'a Row>, column: &Column) -> Vec<f64> {
     let numbers = rows.filter_map(|row| row.number(column));
     rising(numbers.filter(|value| value.is_finite()))
 }
 
-/// At most so many of the items, evenly spread and with both ends.
+/// At most `most` of the items, evenly spread, with both ends.
 pub fn spread<T: Clone>(items: &[T], most: usize) -> Vec<T> {
     let count = items.len().min(most);
     let last = items.len().saturating_sub(1);
@@ -60,7 +60,7 @@ pub fn spread<T: Clone>(items: &[T], most: usize) -> Vec<T> {
     (0..count).map(|index| items[at(index)].clone()).collect()
 }
 
-/// The variants of a sweep in the order of their first row; one, without a name, as a rule.
+/// The variants of a sweep in the order of their first row. Usually there is one, without a name.
 pub fn variants(rows: &[Row]) -> Vec<String> {
     let mut seen = HashSet::new();
     let first = rows.iter().filter(|row| seen.insert(&*row.variant));

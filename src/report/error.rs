@@ -22,7 +22,7 @@ pub enum ReportError {
     /// A table is not well formed.
     #[error("{}: {}", named(path), table_in_words(source))]
     Table { path: PathBuf, source: csv::Error },
-    /// A cell holds something that is not what its column holds.
+    /// A cell holds something that its column does not take.
     #[error("{}, line {line}, column {column:?}: {reason}", named(path))]
     Cell { path: PathBuf, line: u64, column: String, reason: String },
     /// A figure could not be drawn: a fault of the program, not of the data.
@@ -38,7 +38,7 @@ fn table_in_words(error: &csv::Error) -> String {
 }
 
 impl ReportError {
-    /// Whether a table is not what it should be, rather than the program or the machine failing.
+    /// Whether a table is at fault, rather than the program or the machine.
     pub fn is_of_the_files(&self) -> bool {
         match self {
             ReportError::MissingColumn { .. } | ReportError::Cell { .. } => true,

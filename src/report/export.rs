@@ -1,7 +1,7 @@
 //! Figures for print: PDF and PNG in the widths of a journal's column and page.
 //!
-//! The font is part of the program, so that a machine without fonts draws the same. A PDF holds the letters
-//! of it that it shows: its words can be selected and searched.
+//! The font is part of the program, so that machines without fonts draw the same. A PDF embeds the
+//! letters that it shows: its words can be selected and searched.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -15,13 +15,13 @@ use super::Print;
 use super::error::ReportError;
 use super::plots::{FONT, Figure};
 
-/// What a journal's page has room for, millimetres.
+/// The greatest height on a journal's page, millimetres.
 const TALLEST: f64 = 230.0;
-/// Of PNG, dots in an inch: what journals ask for line drawings.
+/// Dots per inch of PNG files: what journals ask for line drawings.
 const DOTS: f64 = 600.0;
 const INCH: f64 = 25.4;
 
-/// Writes a figure in every width. One that is higher than a page becomes several files.
+/// Writes a figure in every width. A figure higher than a page becomes several files.
 pub fn write(
     figure: &Figure,
     format: Print,
@@ -31,7 +31,7 @@ pub fn write(
     for (width, columns) in Print::WIDTHS {
         let (charts, most) = (figure.drawing.charts.len(), figure.drawing.layout.columns);
         let columns = columns.min(most);
-        // One panel over the whole page would be all too large.
+        // One panel over the whole page would be far too large.
         if columns > 1 && charts == 1 {
             continue;
         }
@@ -50,7 +50,7 @@ pub fn write(
     Ok(paths)
 }
 
-/// A drawing of so many pixels in an inch as a file.
+/// Turns a drawing with so many pixels per inch into a file.
 fn draw(svg: &str, format: Print, pixels: f64) -> Result<Vec<u8>, String> {
     let tree = Tree::from_str(svg, &options()).map_err(|error| error.to_string())?;
     match format {
@@ -63,8 +63,8 @@ fn draw(svg: &str, format: Print, pixels: f64) -> Result<Vec<u8>, String> {
     }
 }
 
-/// A PDF with the entries of its dictionaries in order: `svg2pdf` puts those that name other objects, such as
-/// `/gs0 7 0 R`, into another order each time. Each is a line, so that nothing else moves.
+/// Sorts the entries of a PDF's dictionaries. `svg2pdf` writes entries that name other objects,
+/// such as `/gs0 7 0 R`, in another order each time. Each is a line, so nothing else moves.
 fn in_order(pdf: &[u8]) -> Vec<u8> {
     let mut lines: Vec<&[u8]> = pdf.split(|byte| *byte == b'\n').collect();
     let entry = |line: &[u8]| line.trim_ascii().starts_with(b"/") && line.ends_with(b" 0 R");
@@ -84,7 +84,7 @@ fn png(tree: &Tree, scale: f64) -> Result<Vec<u8>, String> {
     let size = [tree.size().width(), tree.size().height()];
     let [wide, high] = size.map(|pixels| (f64::from(pixels) * scale).round() as u32);
     let mut pixmap = Pixmap::new(wide, high).ok_or("no room for its pixels")?;
-    // The drawing may end within its last row of pixels: what is beside it is white, too.
+    // The drawing may end within its last row of pixels. The rest of that row is white, too.
     pixmap.fill(Color::WHITE);
     resvg::render(tree, Transform::from_scale(scale as f32, scale as f32), &mut pixmap.as_mut());
     let colours: Vec<u8> = pixmap.data().chunks(4).flat_map(|pixel| pixel[..3].to_vec()).collect();
@@ -143,7 +143,7 @@ mod tests {
             from = find(start, b"endstream").unwrap() + 9;
             let mut bytes = Vec::new();
             let stream = &pdf[start..from - 9];
-            // The catalogue of letters is not packed.
+            // The list of letters is not packed.
             if flate2::read::ZlibDecoder::new(stream).read_to_end(&mut bytes).is_err() {
                 bytes = stream.to_vec();
             }
@@ -166,7 +166,7 @@ mod tests {
             "{} of {words} words",
             count("TJ")
         );
-        // What each letter is, by its number in Unicode.
+        // Each letter by its number in Unicode.
         let letters = streams.iter().find(|text| text.contains("beginbfchar")).unwrap();
         let drawing = roxmltree::Document::parse(&svg).unwrap();
         let texts = drawing.descendants().filter(|node| node.has_tag_name("text"));
@@ -176,7 +176,7 @@ mod tests {
         }
     }
 
-    /// The story: each run drew other bytes.
+    /// The story: each run wrote other bytes.
     #[test]
     fn a_figure_has_the_same_bytes_each_time() {
         let svg = figure().svg();

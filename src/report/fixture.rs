@@ -17,7 +17,7 @@ const ENDED: &str = "steps=9000\nparticles=7800\nscheme=wcsph\nboundary=improved
 /// A wall of a made-up case: stiffness and mass, or neither.
 type Wall = Option<(f64, f64)>;
 
-/// What is read from a directory, which is gone once it is dropped.
+/// A directory's data. The directory is deleted once it is dropped.
 pub fn read(directory: TempDir) -> (TempDir, Loaded) {
     let data = Loaded::read(directory.path()).unwrap();
     (directory, data)
@@ -102,7 +102,7 @@ fn write(cases: &[(f64, Wall)]) -> TempDir {
     directory
 }
 
-/// The summary of a directory of the first version, with one column that was swept.
+/// Writes the summary of a directory of the first version, with one swept column.
 fn write_summary(root: &Path, swept: &str, rows: &[(String, String)]) {
     let names = first_version().flat_map(|c| [Some(c.name.to_owned()), c.time_name()]).flatten();
     let mut table = csv::Writer::from_path(root.join("summary.csv")).unwrap();
@@ -129,7 +129,7 @@ fn place(wave: f64, wall: Wall) -> String {
     )
 }
 
-/// The share of a fixed wall's load that the wall feels, and how far it gives way.
+/// The force that the wall feels as a share of a fixed wall's, and its displacement.
 fn give(wall: Wall) -> (f64, f64) {
     let Some((k, m)) = wall else { return (1.0, 0.0) };
     let stiff = 1.0 / (1.0 + (-2.2 * ((k / 392.4_f64).log10() - 0.9)).exp());

@@ -1,5 +1,5 @@
-//! Results at the size of a prototype, by Froude's law: lengths λ, times √λ, pressures λ, forces and
-//! volumes per metre λ², moments per metre λ³, discharges per metre λ^1.5, with the same gravity and density.
+//! Results at a prototype's size by Froude's law, same gravity and density. Lengths, pressures: λ.
+//! Times: √λ. Per metre: forces and volumes λ², moments λ³, discharges λ^1.5.
 
 use std::str::FromStr;
 
@@ -21,7 +21,7 @@ use crate::quantities::summary::{
 };
 use crate::theory::hydrostatics::wall_force;
 
-/// How many times as long as the tank the prototype is.
+/// The length of the prototype over that of the tank.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Froude(f64);
 
@@ -36,7 +36,7 @@ impl FromStr for Froude {
     }
 }
 
-/// A quantity that is scaled: its column, its unit in the tank, and how it grows.
+/// A scaled quantity: its column, its unit in the tank, and its power of the scale.
 struct Scaled {
     column: &'static Column,
     /// Its name with the unit of the prototype.
@@ -45,18 +45,18 @@ struct Scaled {
     power: f64,
 }
 
-/// What the tank counts by, in SI units.
+/// The tank's scales, in SI units.
 struct Water {
-    /// Density and gravity.
+    /// Density times gravity.
     weight: f64,
     gravity: f64,
-    /// Depth of the still water, and that at the wall, by which forces count.
+    /// Depth of the still water, and depth at the wall, which scales forces.
     depth: f64,
     at_wall: f64,
 }
 
 impl Water {
-    /// Of a case's scene; `None` where it is no seawall.
+    /// From a case's scene; `None` where it is no seawall.
     fn of(case: &Config) -> Option<Water> {
         let value = |key| case.value(key);
         let (depth, gravity) = (value("still_water_depth_m")?, value("gravity_m_per_s2")?);
@@ -67,7 +67,7 @@ impl Water {
         Some(Water { weight, gravity, depth, at_wall: at_wall.unwrap_or(depth) })
     }
 
-    /// Newtons per metre in F* = 1.
+    /// Newtons per metre for F* = 1.
     fn force(&self) -> f64 {
         wall_force(self.at_wall, self.weight, 1.0)
     }
@@ -75,22 +75,22 @@ impl Water {
 
 const KILO: f64 = 1e-3;
 
-/// Kilonewtons per metre.
+/// A force in kilonewtons per metre.
 const fn force(column: &'static Column, name: &'static str) -> Scaled {
     Scaled { column, name, unit: |water| KILO * water.force(), power: 2.0 }
 }
 
-/// Metres.
+/// A length in metres.
 const fn length(column: &'static Column, name: &'static str) -> Scaled {
     Scaled { column, name, unit: |water| water.depth, power: 1.0 }
 }
 
-/// Kilonewton metres per metre.
+/// A moment in kilonewton metres per metre.
 const fn moment(column: &'static Column, name: &'static str) -> Scaled {
     Scaled { column, name, unit: |water| KILO * water.force() * water.at_wall / 3.0, power: 3.0 }
 }
 
-/// In the unit that it has in the tank.
+/// A quantity that keeps its unit.
 const fn same(column: &'static Column, name: &'static str, power: f64) -> Scaled {
     Scaled { column, name, unit: |_| 1.0, power }
 }
@@ -117,7 +117,7 @@ const SCALED: [Scaled; 14] = [
     same(&CREST_SPEED, "crest_speed_max_m_per_s", 0.5),
 ];
 
-/// The error bars of those that have one.
+/// The error bars of the quantities that have one.
 const ERRORS: [Scaled; 6] = [
     force(&FORCE_ERROR, "force_error_kn_per_m"),
     length(&RUNUP_ERROR, "runup_error_m"),
@@ -128,10 +128,10 @@ const ERRORS: [Scaled; 6] = [
 ];
 
 impl Froude {
-    /// The names of its tables.
+    /// The names of the tables.
     pub const TABLES: [&str; 2] = ["prototype", "prototype_envelope"];
 
-    /// As it is written: `1:20`.
+    /// The scale as text: `1:20`.
     pub fn words(self) -> String {
         format!("1:{}", self.0)
     }
@@ -140,8 +140,8 @@ impl Froude {
         value * libm::pow(self.0, power)
     }
 
-    /// The maxima and the envelopes of all finished cases at the size of the prototype; none where the
-    /// directory does not tell how its tanks were.
+    /// The maxima and the envelopes of all finished cases at the size of the prototype; none where
+    /// the directory does not hold the scenes of its cases.
     pub fn tables(self, data: &Loaded) -> Result<Vec<Table>, ReportError> {
         let (mut maxima, mut envelope) = (Vec::new(), Vec::new());
         let all = data.rows.iter().zip(each_config(data, 0..data.rows.len()));
@@ -187,7 +187,7 @@ impl Froude {
     }
 }
 
-/// Six digits are more than any of these is known to.
+/// Six digits: none of these numbers is more precise.
 fn cell(value: Option<f64>) -> String {
     let told = |value| crate::math::decimal::significant(value, 6).to_string();
     value.map(told).unwrap_or_default()
@@ -219,7 +219,7 @@ mod tests {
             .chain(over)
             .fold(Row::default(), |row, (column, value)| row.with(column, value));
         let row = row.with(&crate::quantities::summary::STATUS, "ok").with(&DOUBTFUL, true);
-        // The story: numbers of the prototype stood there without error bars, and nothing told of doubts.
+        // The story: the prototype's numbers had no error bars, and nothing showed doubts.
         let row = row.with(&FORCE_MAX_ERROR, 0.1).with(&OVERTOPPING_VOLUME_ERROR, 0.001);
         let manifest = Some(json!({ "sweep_file": file, "overrides": [] }));
         let data = Loaded { rows: vec![row], manifest, ..Loaded::default() };

@@ -1,5 +1,5 @@
-//! Goda's formula beside the force of each case on an upright wall, with what its scene says of the depth
-//! at the wall, of a crest and of regular waves.
+//! Goda's formula beside the force of each case on an upright wall. The scene gives the depth at
+//! the wall, a crest and regular waves.
 
 use toml::{Table, Value};
 
@@ -13,14 +13,14 @@ use crate::scene::SeawallScene;
 use crate::theory::goda::Goda;
 use crate::theory::wavemaker::travelling;
 
-/// What the formula asks of a scene.
+/// The values of a scene that the formula needs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Setting {
     /// Depth of the still water at the wall over that at the paddle.
     depth: f64,
-    /// 2π times the former over the length of regular waves; 0 of all others.
+    /// 2π times the depth at the wall over the length of regular waves; 0 for other waves.
     in_waves: f64,
-    /// Height of the crest over still water, over the depth at the wall; infinite without one.
+    /// Height of the crest over still water, over the depth at the wall; infinite without a crest.
     freeboard: f64,
     /// Whether the bed is level all along.
     level: bool,
@@ -31,7 +31,7 @@ impl Setting {
     pub const PLAIN: Setting =
         Setting { depth: 1.0, in_waves: 0.0, freeboard: f64::INFINITY, level: true };
 
-    /// Whether it is that of the exact solitary wave at a wall.
+    /// Whether the setting is that of the exact solitary wave at a wall.
     pub fn is_plain(self) -> bool {
         self == Setting::PLAIN
     }
@@ -47,15 +47,15 @@ impl Setting {
         Goda { ratio: wave_height_ratio / depth, depth_in_waves: in_waves, freeboard }.force()
     }
 
-    /// F* by the formula for the wave of a case. A single wave has its measured height, or else the nominal one.
-    /// Regular waves have the nominal one, as the gauge knows their first crest alone.
+    /// F* by the formula for a case's wave. A single wave has its measured height, if known.
+    /// Regular waves have the nominal one: the gauge measures only their first crest.
     pub fn of_case(self, row: &Row) -> Option<f64> {
         let measured = row.number(&MEASURED_WAVE_HEIGHT_RATIO).filter(|_| !self.is_regular());
         let wave = measured.or_else(|| row.number(&WAVE_HEIGHT_RATIO));
         wave.filter(|wave| *wave > 0.0).map(|wave| self.force(wave))
     }
 
-    /// The force of a case over that by the formula: of the first impact, of regular waves the largest.
+    /// The case's force over the formula's: of the first impact, or for regular waves the largest.
     pub fn over(self, row: &Row) -> Option<f64> {
         let of_first = if self.is_regular() { None } else { row.number(&FIRST_FORCE_MAX) };
         let force = of_first.or_else(|| row.number(&FORCE_MAX))?;
@@ -63,20 +63,20 @@ impl Setting {
     }
 }
 
-/// What the scenes of a study say.
+/// The settings of a study's scenes.
 pub struct Settings<'a> {
     data: &'a Loaded,
-    /// `[scene]` of its file; `None` where the manifest has no file.
+    /// `[scene]` of the study's file; `None` where the manifest has no file.
     scene: Option<Table>,
 }
 
 impl<'a> Settings<'a> {
-    /// Of a study.
+    /// The settings of this study.
     pub fn of(data: &'a Loaded) -> Settings<'a> {
         Settings { data, scene: data.file().map(|file| file.scene) }
     }
 
-    /// Of the case in a row; `None` where no wave meets an upright wall in still water.
+    /// The setting of a row's case; `None` where no wave meets an upright wall in still water.
     pub fn at(&self, place: usize) -> Option<Setting> {
         if !self.data.rows[place].is_vertical() {
             return None;
@@ -84,7 +84,7 @@ impl<'a> Settings<'a> {
         self.scene_at(place).map_or(Some(Setting::PLAIN), |scene| setting(&scene))
     }
 
-    /// `[scene]` of the case in a row.
+    /// `[scene]` of a row's case.
     fn scene_at(&self, place: usize) -> Option<Table> {
         let mut scene = self.scene.clone()?;
         for key in &self.data.keys {
@@ -158,7 +158,7 @@ mod tests {
     fn crests_and_lengths_count() {
         let crest = "behind = \"outflow\"\ncrest_freeboard_m = 0.05\ncrest_width_m = 0.1";
         let lower = of(crest).unwrap();
-        // Over the still level 0.25 h of the triangle of 0.45 h are left: 2 · 0.25 (1 - 0.25/0.9).
+        // The triangle of 0.45 h reaches 0.25 h above the still level: 2 · 0.25 (1 - 0.25/0.9).
         assert!((lower.force(0.3) - 1.0 - 0.33 * (2.0 + 0.361_111_1)).abs() < 1e-6);
         let train = of("paddle = \"wave-train\"\nwave_period_s = 1.0").unwrap();
         assert!(train.is_regular() && !train.is_plain());

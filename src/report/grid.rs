@@ -1,5 +1,5 @@
-//! Tables as HTML: headings in symbols, numbers to the right, doubtful values marked, a row to a
-//! line, as the page's script expects it.
+//! Tables as HTML: symbols as headings, numbers aligned right, doubtful values marked. Each row is
+//! one line, as the page's script expects.
 
 use std::fmt::Write as _;
 
@@ -12,8 +12,8 @@ use crate::quantities::summary::{
 };
 use crate::quantities::{Column, heading};
 
-/// A table as HTML. One with a row per case stands where scripts are off as it is; where they are
-/// on, they make of the same text a table that can be sorted and filtered.
+/// A table as HTML. Without scripts a table with a row per case stays as it is. With scripts, the
+/// same text becomes a table that can be sorted and filtered.
 pub(super) fn grid(table: &Table) -> String {
     let text = format!("<div class=\"wide\"><table>\n{}</table></div>", whole(table));
     let (name, rows, all) = (&table.name, table.rows.len(), table.rows.len() + table.left);
@@ -33,10 +33,10 @@ pub(super) fn grid(table: &Table) -> String {
     format!("<div class=\"listing\" data-table=\"{name}\"><noscript>{text}</noscript></div>{file}")
 }
 
-/// Head and body. A case's id comes last: it is needed less than all else.
+/// Head and body. A case's id comes last, as it is needed least.
 fn whole(table: &Table) -> String {
     let mut order: Vec<usize> = (0..table.header.len()).collect();
-    // What was measured comes before ratios that follow from what was asked for.
+    // Measured values come before ratios that follow from the input.
     if table.name == "summary" {
         order.sort_by_key(|&at| RATIOS.iter().any(|column| column.name == table.header[at]));
     }
@@ -77,7 +77,7 @@ const RATIOS: [&Column; 3] = [&MEASURED_WAVE_HEIGHT_RATIO, &LOG10_K_STAR, &M_STA
 
 const GROWS: &str = "a string grows";
 
-/// Whether a column holds numbers and nothing else, be they written out or as powers of ten.
+/// Whether a column holds only numbers, written out or as powers of ten.
 fn is_numeric(table: &Table, column: usize) -> bool {
     let mut cells = table.rows.iter().map(|row| row[column].as_str()).filter(|c| !c.is_empty());
     cells.clone().next().is_some() && cells.all(number::is_number)
@@ -88,7 +88,7 @@ fn doubtful(column: &str, cell: &str) -> bool {
     told || column == STATUS.name && cell == DOUBTFUL.name
 }
 
-/// Whether a wall has come back onto its stop.
+/// Whether the cell says that a wall has come back onto its stop.
 fn hit(column: &str, cell: &str) -> bool {
     column == STOPS.name && !matches!(cell, "" | "0")
 }

@@ -1,5 +1,5 @@
-//! Reads an output directory: `summary.csv`, `energy.csv` and `manifest.json`; histories, gauges and
-//! readings are read one case at a time, in [`super::series`].
+//! Reads an output directory: `summary.csv`, `energy.csv` and `manifest.json`. Histories, gauges
+//! and readings are read one case at a time, in [`super::series`].
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -29,14 +29,14 @@ pub struct Loaded {
     /// What was swept, in the grid's order; empty without a manifest.
     pub keys: Vec<Key>,
     pub(super) directory: PathBuf,
-    /// Whether these are some of the rows alone.
+    /// Whether these are only some of the study's rows.
     pub(super) is_part: bool,
     /// Files of cases that are left out.
     pub(super) omitted: Omitted,
 }
 
 impl Loaded {
-    /// Reads everything but what each case has left in files of its own.
+    /// Reads everything but the files of single cases.
     pub fn read(directory: &Path) -> Result<Loaded, ReportError> {
         let energy = directory.join("energy.csv");
         let energy = Some(energy).filter(|path| path.exists());
@@ -61,12 +61,12 @@ impl Loaded {
         Ok(Loaded { rows, energy, manifest, keys, directory, is_part: false, omitted })
     }
 
-    /// The same, in which files of cases may be left out.
+    /// The same data, where the files of cases in `omitted` are left out.
     pub fn without(self, omitted: &Omitted) -> Loaded {
         Loaded { omitted: omitted.clone(), ..self }
     }
 
-    /// The file that the study was made from, with what the command line set.
+    /// The file that the study was made from, with the settings of the command line.
     pub(super) fn file(&self) -> Option<StudyFile> {
         StudyFile::of(self.manifest.as_ref())
     }
@@ -89,17 +89,17 @@ impl Loaded {
         self.rows.iter().filter(|row| row.is_ok())
     }
 
-    /// The same, each behind its place among all rows.
+    /// Rows of cases that ran to their end, each with its place among all rows.
     pub(super) fn placed(&self) -> impl Iterator<Item = (usize, &Row)> {
         self.rows.iter().enumerate().filter(|(_, row)| row.is_ok())
     }
 
-    /// Those of one variant.
+    /// Finished rows of one variant.
     pub fn of_variant(&self, variant: &str) -> impl Iterator<Item = &Row> {
         self.finished().filter(move |row| *row.variant == *variant)
     }
 
-    /// The same of some rows alone.
+    /// The same data with only the rows at these places.
     pub(super) fn part(&self, places: &[usize]) -> Loaded {
         let key =
             |Key { name, cells }: &Key| Key::new(name, places.iter().map(|&place| &cells[place]));
@@ -139,7 +139,7 @@ impl Loaded {
     }
 }
 
-/// The rows, and what was swept as the manifest names it.
+/// The rows, and the swept keys that the manifest names.
 fn read_summary(
     path: &Path,
     manifest: Option<&Value>,
@@ -147,7 +147,7 @@ fn read_summary(
     let (header, records) = stream(path)?;
     demand(path, &header, summary::first_version().map(|column| column.name))?;
     let columns = Arc::new(Header::new(header.iter()));
-    // Swept keys follow the columns of every summary.
+    // Swept keys follow the columns that every summary has.
     let declared = header.iter().enumerate().filter(|(_, name)| named(name).is_some());
     let known = declared.last().map_or(0, |(at, _)| at + 1);
     let key = |column: usize| Key::new(&header[column], [""; 0]);
@@ -173,13 +173,13 @@ fn read_summary(
     Ok((rows, swept_keys))
 }
 
-/// Provenance is no answer: a report can do without one that is damaged.
+/// A report can do without a damaged manifest: it tells only where the numbers come from.
 fn read_manifest(path: &Path) -> Option<Value> {
     serde_json::from_slice(&std::fs::read(path).ok()?).ok()
 }
 
-/// The columns of a table and its rows. Where it is read `loosely`, cells beyond the columns are left out: directories of
-/// earlier versions have commas in a last column of words that nothing quotes.
+/// The columns of a table and its rows. If read `loosely`, cells beyond the columns are left out.
+/// In directories of earlier versions, words in the last column hold unquoted commas.
 pub(super) fn read_records(
     path: &Path,
     loosely: bool,
@@ -195,7 +195,7 @@ pub(super) fn read_records(
     Ok((header, records))
 }
 
-/// The columns of a table, and its rows as they are read: one of a large study is never held whole.
+/// The columns of a table, and its rows read one by one: a large table is never held whole.
 pub(super) fn stream(
     path: &Path,
 ) -> Result<(StringRecord, impl Iterator<Item = Result<StringRecord, ReportError>>), ReportError> {
@@ -209,7 +209,7 @@ pub(super) fn stream(
     Ok((header, reader.into_records().map(move |record| record.map_err(&wrong))))
 }
 
-/// Names the first column that is wanted and not there.
+/// Refuses a table that lacks a wanted column, and names the first one.
 pub(super) fn demand(
     path: &Path,
     header: &StringRecord,
@@ -232,7 +232,7 @@ pub(super) fn deserialize<T: for<'de> Deserialize<'de>>(
         .collect()
 }
 
-/// Names the cell that the reader could not take.
+/// Names the cell that the reader refused.
 fn narrate(path: &Path, header: &StringRecord, source: csv::Error) -> ReportError {
     let path = path.to_owned();
     if let ErrorKind::Deserialize { pos: Some(position), err } = source.kind()

@@ -1,5 +1,5 @@
 //! The report of a sweep: tables, figures and one page, from the files of an output directory
-//! alone. It knows nothing of solvers, so that any figure can be drawn again without simulating.
+//! alone. It knows nothing of solvers, so that figures can be drawn again without simulating.
 //!
 //! [`write()`] does it all. [`load`] reads, [`curves`] sorts, [`tables`] and [`plots`] present, and
 //! a page joins them. The same files give the same bytes.
@@ -59,8 +59,8 @@ pub fn write(out_dir: &Path) -> Result<Written, ReportError> {
     write_with(out_dir, None, &[], &Omitted::default())
 }
 
-/// Likewise. Where a Froude scale is given there are tables in the units of a prototype. Figures for print have the
-/// widths of a journal's column (84 mm) and page (174 mm). What is named in `omitted` is left out.
+/// Like [`write()`]. A Froude scale adds tables in the units of a prototype. Figures for print have
+/// the widths of a journal's column (84 mm) and page (174 mm). Files in `omitted` are left out.
 pub fn write_with(
     out_dir: &Path,
     scale: Option<Froude>,
@@ -72,7 +72,7 @@ pub fn write_with(
     let shown = part.as_ref().unwrap_or(&data);
     let figures = plots::all(shown)?;
     for name in Froude::TABLES {
-        // Of an earlier scale.
+        // A table of an earlier scale may be there.
         let _ = fs::remove_file(out_dir.join("tables").join(format!("{name}.csv")));
     }
     let papers = papers::papers(shown)?;
@@ -84,7 +84,7 @@ pub fn write_with(
         redraw(figure, &figures_dir)?;
     }
     let scaled = scale.map_or(Ok(Vec::new()), |scale| scale.tables(&data))?;
-    // Of a study that is shown in part, the page has that part's rows.
+    // If only part of a study is shown, the page has the rows of that part.
     let most = if part.is_some() { 0 } else { page::MOST_ROWS };
     let lines = tables::all(&data).into_iter().map(|lines| (lines, most));
     let lines = lines.chain(scaled.into_iter().map(|table| (table.into(), page::MOST_ROWS)));
@@ -126,24 +126,24 @@ pub struct Written {
     pub page: PathBuf,
     /// The paths of figures for print.
     pub printed: Vec<PathBuf>,
-    /// Figures and tables, those for print of an earlier report that still hold among them, by their paths in the
-    /// directory.
+    /// Paths of figures and tables within the directory. Files for print of an earlier report are
+    /// included where they still hold.
     pub made: Vec<String>,
 }
 
 /// A format of figures for print.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Print {
-    /// Strokes and outlines.
+    /// Lines and outlines.
     Pdf,
-    /// Dots, 600 in an inch.
+    /// Pixels, 600 per inch.
     Png,
 }
 
 impl Print {
     /// Whether this build of the program can write figures for print.
     pub const BUILT: bool = cfg!(feature = "print");
-    /// Widths in millimetres, and panels side by side, at most.
+    /// Widths in millimetres, and the most panels side by side.
     const WIDTHS: [(f64, usize); 2] = [(84.0, 1), (174.0, 3)];
 
     /// How its files' names end.
@@ -155,8 +155,8 @@ impl Print {
     }
 }
 
-/// Writes one figure for print into a directory, and returns the files' paths; none where the program was
-/// built without.
+/// Writes one figure for print into a directory, and returns the files' paths; none where the
+/// program was built without this feature.
 #[cfg_attr(not(feature = "print"), expect(unused_variables))]
 pub fn print(
     figure: &Figure,
@@ -169,7 +169,7 @@ pub fn print(
     Ok(Vec::new())
 }
 
-/// Writes a figure for the screen. Files for print that show it as it was before are removed.
+/// Writes a figure for the screen. Files for print that show an older version are removed.
 fn redraw(figure: &Figure, directory: &Path) -> Result<(), ReportError> {
     let (path, svg) = (directory.join(format!("{}.svg", figure.name)), figure.svg());
     let printed = printed_names(figure, directory);
@@ -214,7 +214,7 @@ mod tests {
         assert_eq!(first, names.map(read));
     }
 
-    /// The story: figures for print kept error bars that the study no longer had, and `verify` found nothing wrong.
+    /// The story: figures for print kept old error bars, and `verify` found nothing wrong.
     #[test]
     fn files_for_print_last_as_long_as_their_figure() {
         let directory = fixture::sweep();

@@ -1,11 +1,11 @@
-//! Numbers for the eye.
+//! Numbers for the reader.
 
 pub use crate::math::decimal::significant;
 use crate::quantities::Digits;
 
-/// Significant digits of a parameter, where these tell its values apart.
+/// Significant digits of a parameter, where they are enough to tell its values apart.
 const FEW: usize = 4;
-/// More tell all numbers apart.
+/// Digits that tell all numbers apart.
 const ALL: usize = 17;
 
 /// A parameter as a person types it, to four significant digits: `500`, `0.01`, `50000`, `2.5e8`.
@@ -13,7 +13,7 @@ pub fn plain(value: f64) -> String {
     plain_to(value, FEW)
 }
 
-/// The same to so many digits.
+/// A parameter as a person types it, to so many significant digits.
 pub fn plain_to(value: f64, digits: usize) -> String {
     let value = significant(value, digits);
     let written = value == 0.0 || (1e-4..1e7).contains(&value.abs());
@@ -36,7 +36,7 @@ pub fn digits_apart(values: impl Iterator<Item = f64>) -> usize {
     (FEW..ALL).find(apart).unwrap_or(ALL)
 }
 
-/// A number that nobody types, as a person writes it: `500`, `0.01`, `10⁷`, `2.5×10⁵`.
+/// A derived number as a person writes it: `500`, `0.01`, `10⁷`, `2.5×10⁵`.
 pub fn in_powers(value: f64) -> String {
     let value = significant(value, 4);
     let size = value.abs();
@@ -49,8 +49,8 @@ pub fn in_powers(value: f64) -> String {
     if mantissa == "1" { power } else { format!("{mantissa}×{power}") }
 }
 
-/// A table's cell: the same, or, where it is a number of more than five digits and no whole one,
-/// as [`in_powers`] writes it.
+/// A table's cell. A number that is not whole and has more than five digits is written as by
+/// [`in_powers`]; all else stays.
 pub fn brief(cell: &str) -> String {
     let Ok(value) = cell.parse::<f64>() else { return cell.to_owned() };
     let mantissa = cell.split(['e', 'E']).next().unwrap_or_default();
@@ -59,7 +59,7 @@ pub fn brief(cell: &str) -> String {
     if whole || digits.count() <= 5 { cell.to_owned() } else { in_powers(value) }
 }
 
-/// A number with the digits that its quantity shows; `None` where that is all there are.
+/// A number with the digits that its quantity shows; `None` where all digits are shown.
 pub fn with_digits(value: f64, digits: Digits) -> Option<String> {
     match digits {
         Digits::All => None,
@@ -68,8 +68,8 @@ pub fn with_digits(value: f64, digits: Digits) -> Option<String> {
     }
 }
 
-/// A result with its error bar, rounded to the first digit of the bar that matters (two digits
-/// of it where it starts with a 1): `2.41 ± 0.03`, `1.224 ± 0.012`.
+/// A result with its error bar. Both are rounded to the bar's first digit, or to its second where
+/// the bar starts with a 1: `2.41 ± 0.03`, `1.224 ± 0.012`.
 pub fn with_error(value: f64, error: f64) -> String {
     let error = error.abs();
     if error == 0.0 || !error.is_finite() {
@@ -83,7 +83,7 @@ pub fn with_error(value: f64, error: f64) -> String {
     format!("{value:.decimals$} ± {error:.decimals$}")
 }
 
-/// A lower bound with its error bar, which can lower it and no more: `≥ 2.41 − 0.03`, `≥ 2.41`.
+/// A lower bound with its error bar, which can only lower it: `≥ 2.41 − 0.03`, `≥ 2.41`.
 pub fn bound_with_error(value: f64, error: f64) -> String {
     format!("≥ {}", with_error(value, error).replace(" ± ", " − "))
 }
@@ -95,7 +95,7 @@ fn power_of_ten_below(value: f64) -> f64 {
     format!("1e{exponent}").parse().unwrap_or(1.0)
 }
 
-/// Whether a text is a number, written out, with an error bar, as a bound or as [`in_powers`] writes it.
+/// Whether a text is a number: plain, with a bar, a bound, or as [`in_powers`] writes it.
 pub fn is_number(text: &str) -> bool {
     let text = text.strip_prefix("≥ ").unwrap_or(text);
     let bar = text.split_once(" ± ").or_else(|| text.split_once(" − "));
@@ -167,7 +167,7 @@ mod tests {
         let pairs = [(2.4137, 0.0312), (1.22412, 0.0123), (3.4, 0.0997), (12.6, 2.2), (0.5, 0.0)];
         let written = pairs.map(|(value, error)| with_error(value, error));
         assert_eq!(written, ["2.41 ± 0.03", "1.224 ± 0.012", "3.40 ± 0.10", "13 ± 2", "0.5"]);
-        // A bar that is rounded up to a 1.
+        // This bar is rounded up to a 1.
         assert_eq!(with_error(2.8548, 0.0098), "2.855 ± 0.010");
         assert!(is_number("2.41 ± 0.03"));
         let bounds = [0.0312, 0.0].map(|error| bound_with_error(2.4137, error));

@@ -1,4 +1,4 @@
-//! Files of cases that a report leaves out, as they are not what was written.
+//! Files of cases that a report leaves out because they are damaged.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -6,15 +6,15 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::error::ReportError;
 
-/// What is left out, and what was found wrong on reading it; nothing where each must be read. Clones share it.
+/// Files left out, and faults found on reading. `None`: all must be read. Clones share it.
 #[derive(Debug, Clone, Default)]
 pub struct Omitted(Option<Arc<Mutex<Files>>>);
 
-/// Those that were known before have no words.
+/// Files that were already known to be damaged have no words.
 type Files = BTreeMap<PathBuf, Option<String>>;
 
 impl Omitted {
-    /// These, and all that turn out to be unreadable.
+    /// Omits these files, and all that turn out to be unreadable.
     pub fn from(known: Vec<PathBuf>) -> Omitted {
         let files = known.into_iter().map(|path| (path, None)).collect();
         Omitted(Some(Arc::new(Mutex::new(files))))
@@ -29,18 +29,18 @@ impl Omitted {
         self.with(|files| files.contains_key(path)).unwrap_or(false)
     }
 
-    /// Leaves out one that is wrong; whether it may be.
+    /// Leaves out a damaged file. Returns whether this is allowed.
     pub fn add(&self, path: &Path, why: &dyn std::fmt::Display) -> bool {
         self.with(|files| files.insert(path.to_owned(), Some(why.to_string()))).is_some()
     }
 
-    /// How many there are, and what was found wrong on reading.
+    /// How many files are left out, and the faults found on reading.
     pub fn told(&self) -> (usize, Vec<String>) {
         let told = |files: &mut Files| (files.len(), files.values().flatten().cloned().collect());
         self.with(told).unwrap_or_default()
     }
 
-    /// What a file holds; nothing where there is none, or it is left out.
+    /// Reads a file; gives the default where the file is missing or left out.
     pub(super) fn read<T: Default>(
         &self,
         path: &Path,

@@ -1,4 +1,4 @@
-//! One row of `summary.csv`, as far as the report needs it.
+//! One row of `summary.csv`, with what the report needs of it.
 
 mod ends;
 mod words;
@@ -14,22 +14,22 @@ use crate::quantities::summary::{
 };
 use crate::quantities::{Column, named, of_first_impact};
 
-/// What tells a case from the others, as a rule.
+/// The columns that usually tell a case from the others.
 pub(super) const PLACE: [&Column; 3] = [&WAVE_HEIGHT_RATIO, &SPRING_STIFFNESS, &SEAWALL_MASS];
 
-/// What `paddle` is where waves are regular.
+/// The value of `paddle` for regular waves.
 pub(super) const REGULAR: &str = "wave-train";
 
-/// What `paddle` is where it plays a record.
+/// The value of `paddle` for a recorded stroke.
 pub(super) const RECORDED: &str = "recorded-stroke";
 
-/// The key that tells kinds of paddles apart, where it was swept.
+/// The key that tells kinds of paddles apart, if it was swept.
 const PADDLE: &str = "paddle";
 
-/// The key that tells kinds of walls apart, where it was swept.
+/// The key that tells kinds of walls apart, if it was swept.
 const WALL: &str = "wall";
 
-/// Where the columns of a table stand.
+/// The places of a table's columns.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Header {
     places: HashMap<String, usize>,
@@ -37,7 +37,7 @@ pub struct Header {
 }
 
 impl Header {
-    /// Of these columns.
+    /// The places of these columns.
     pub fn new<'a>(names: impl Iterator<Item = &'a str>) -> Header {
         let names: Vec<_> = names.collect();
         let place = |(place, name): (usize, &&str)| ((*name).to_owned(), place);
@@ -48,23 +48,23 @@ impl Header {
     }
 }
 
-/// The cells of one case, by their columns. A column that is not there is empty.
+/// The cells of one case, by column. A missing column counts as empty.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Row {
     header: Arc<Header>,
-    /// All cells, one behind the other, and where each ends.
+    /// All cells, one after the other.
     text: Box<str>,
     ends: Ends,
-    /// Of a fixed wall; upright where nothing says otherwise.
+    /// The angle of a fixed wall; upright where nothing else is said.
     pub wall_angle_deg: Option<f64>,
-    /// The paddle makes regular waves.
+    /// Whether the paddle makes regular waves.
     pub regular: bool,
-    /// The paddle plays a record, and nobody asked for a wave height. Words leave it out; it stays the row's place.
+    /// Whether a record is played without a given wave height. Words leave the height out.
     pub unasked: bool,
-    /// What `wall` says in the study's file, where it was not swept.
+    /// The value of `wall` in the study's file, if it was not swept.
     pub wall: Option<Arc<str>>,
-    /// Which of several runs with the same wave and wall this is, such as `boundary = sfdi`;
-    /// empty where the sweep holds only one.
+    /// Tells several runs with the same wave and wall apart, such as `boundary = sfdi`. Empty if
+    /// the sweep has only one.
     pub variant: Arc<str>,
 }
 
@@ -72,7 +72,7 @@ impl Row {
     /// A row of a table with this header.
     ///
     /// # Errors
-    /// The place of a cell that should be a number and is none, and what is wrong with it.
+    /// The place of a cell that should be a number but is none, and what is wrong with it.
     pub fn new<'a>(
         header: &Arc<Header>,
         cells: impl Iterator<Item = &'a str>,
@@ -94,7 +94,7 @@ impl Row {
         Ok(Row { wall_angle_deg, regular, unasked, ..row })
     }
 
-    /// Whether a column of this name means nothing for this case: the first impact of regular waves.
+    /// Whether a column means nothing here: first impacts of regular waves.
     fn is_idle(&self, name: &str) -> bool {
         self.regular && of_first_impact(name)
     }
@@ -119,7 +119,7 @@ impl Row {
         self.text(&CASE_ID)
     }
 
-    /// A number, a volume of no water as 0; `None` where the cell is empty.
+    /// A number, where a volume of no water is 0; `None` where the cell is empty.
     pub fn number(&self, column: &Column) -> Option<f64> {
         self.text(column).parse().ok().map(|value| column.told_value(value))
     }
@@ -129,13 +129,13 @@ impl Row {
         self.named(&format!("{}_time_s", column.name)).parse().ok()
     }
 
-    /// A flag.
+    /// Whether a flag is set.
     pub fn is(&self, flag: &Column) -> bool {
         self.text(flag) == "true"
     }
 
-    /// Which of two columns is told, that of the first impact or that of the whole run. The whole run counts where there
-    /// was no first impact. It counts for regular waves, too: each comes onto what the ones before have left.
+    /// The column that is reported: the first impact's or the whole run's. The latter counts if
+    /// there was no first impact, and for regular waves: earlier ones change later ones.
     pub fn impact(&self, first: &'static Column, whole: &'static Column) -> &'static Column {
         if self.regular || self.number(first).is_none() { whole } else { first }
     }
@@ -145,7 +145,7 @@ impl Row {
         self.number(named(column.bar?)?)
     }
 
-    /// The number is only a lower bound.
+    /// Whether the number is only a lower bound.
     pub fn is_bound(&self, column: &Column) -> bool {
         column.bound.and_then(named).is_some_and(|flag| self.is(flag))
     }
@@ -163,43 +163,43 @@ impl Row {
         told.unwrap_or_else(|| self.cell(column))
     }
 
-    /// The case ran to its end.
+    /// Whether the case ran to its end.
     pub fn is_ok(&self) -> bool {
         self.text(&STATUS) == "ok"
     }
 
-    /// The wall does not move: it has neither spring nor mass.
+    /// Whether the wall does not move: it has neither spring nor mass.
     pub fn is_fixed(&self) -> bool {
         [&SPRING_STIFFNESS, &SEAWALL_MASS].iter().all(|column| self.number(column).is_none())
     }
 
-    /// The wall has a mass and no spring, and so no stop.
+    /// Whether the wall has a mass but no spring, and so no stop.
     pub fn is_springless(&self) -> bool {
         self.number(&SEAWALL_MASS).is_some() && self.number(&SPRING_STIFFNESS).is_none()
     }
 
-    /// What kind of wall one without a spring is: a caisson, where no file says.
+    /// The kind of a wall without a spring: a caisson, unless a file says otherwise.
     pub fn kind(&self) -> &str {
         let swept = Some(self.named(WALL)).filter(|wall| !wall.is_empty());
         swept.or(self.wall.as_deref()).unwrap_or("caisson")
     }
 
-    /// The wall comes back onto its stop, a load that no maximum counts.
+    /// Whether the wall comes back onto its stop. This load counts for no maximum.
     pub fn hits_stop(&self) -> bool {
         self.number(&STOPS).is_some_and(|stops| stops > 0.0)
     }
 
-    /// The wall of a wave tank, and no water stands at it.
+    /// Whether it is a wall in a wave tank at which no water stands.
     pub fn stands_dry(&self) -> bool {
         self.number(&WAVE_HEIGHT_RATIO).is_some() && self.number(&FORCE_AT_REST) == Some(0.0)
     }
 
-    /// The wall stands upright.
+    /// Whether the wall stands upright.
     pub fn is_vertical(&self) -> bool {
         self.wall_angle_deg.is_none_or(|angle| angle == 90.0)
     }
 
-    /// Wave, stiffness and mass as bits, so that they can be compared and sorted on.
+    /// Wave, stiffness and mass as bits, for comparing and sorting.
     pub(super) fn place(&self) -> [u64; 3] {
         PLACE.map(|column| self.number(column).unwrap_or(f64::NAN).to_bits())
     }

@@ -20,8 +20,8 @@ pub struct SceneFile {
 }
 
 impl SceneFile {
-    /// Reads the study's file in the manifest. `None` where there is none, and where a swept key is not
-    /// known. Numerics that were chosen case by case are those of `max_error.csv`.
+    /// Reads the study's file from the manifest. `None` where there is none, or a swept key is not
+    /// known. Numerics that were chosen case by case come from `max_error.csv`.
     pub fn of(data: &Loaded) -> Option<SceneFile> {
         let file = data.file()?;
         let chosen = chosen(&data.directory.join("max_error.csv"));
@@ -36,15 +36,15 @@ impl SceneFile {
         self.file.scene.get("kind")?.as_str()
     }
 
-    /// The case of a row; `None` where it is not a valid one, or what was chosen for it is not known.
+    /// The case of a row; `None` where it is not valid, or its chosen numerics are not known.
     pub fn config(&self, data: &Loaded, row: usize) -> Option<CaseConfig> {
         let [scene, numerics] = self.tables(data, row)?;
         CaseConfig::with_probes(&scene, &numerics, &self.file.probes).ok()
     }
 
-    /// The file of a row with `{id}` for the case's id, and for the value of each swept key its name
-    /// in braces: rows whose texts are equal share one. `None` where what was chosen for the row is not
-    /// known.
+    /// The file of a row, with `{id}` in place of the case's id. Each swept key's name in braces
+    /// stands in place of its value. Rows with equal texts share one. `None` if the row's chosen
+    /// numerics are not known.
     pub fn template(&self, data: &Loaded, row: usize) -> Option<String> {
         let [mut scene, mut numerics] = self.tables(data, row)?;
         for Key { name, .. } in data.keys.iter().filter(|key| !key.cells[row].is_empty()) {
@@ -110,7 +110,7 @@ mod tests {
         }
     }
 
-    /// The text of the row as a page fills it in.
+    /// The text of the row as a page completes it.
     fn filled(data: &Loaded) -> String {
         let file = SceneFile::of(data).unwrap();
         let text = file.template(data, 0).unwrap().replace("{id}", "0123");

@@ -1,8 +1,8 @@
-//! What a page shows of a study that is too large to be shown whole.
+//! What a page shows of a study that is too large to show in full.
 //!
-//! Sentences and files under `tables/` are of all cases. The tables and figures of the page are of a selection, and
-//! so is what it says of the papers. It has the cases with a film and those of the largest responses. The others
-//! are those with the smallest ids. An id is a hash, so that these are spread evenly over the grid, whatever its axes are.
+//! Sentences and files under `tables/` cover all cases. The page's tables, figures and words on the
+//! papers cover a selection: cases with a film, those of the largest responses, and those with the
+//! smallest ids. Ids are hashes, so these spread evenly over any grid.
 
 use std::collections::HashSet;
 
@@ -10,13 +10,13 @@ use super::curves::RESPONSES;
 use super::load::Loaded;
 use super::row::Row;
 
-/// A study of so many cases is shown whole.
+/// Studies up to so many cases are shown in full.
 pub const WHOLE: usize = 20_000;
 
-/// So many cases are shown of a larger one.
+/// How many cases of a larger study are shown.
 pub const SHOWN: usize = 10_000;
 
-/// The part of a study that is shown; `None` where that is all of it.
+/// The part of a study that is shown; `None` if all of it is.
 pub fn of(data: &Loaded) -> Option<Loaded> {
     some(data, WHOLE, SHOWN)
 }
@@ -40,7 +40,7 @@ fn some(data: &Loaded, whole: usize, shown: usize) -> Option<Loaded> {
     Some(data.part(&places))
 }
 
-/// What the page says of it.
+/// What the page says about the selection.
 pub fn words(part: &Loaded, data: &Loaded) -> String {
     format!(
         "The tables and figures of this page show {} of {} cases: those with a film, those of the largest \

@@ -1,5 +1,4 @@
-//! What each case has left in files of its own: `histories/`, `probes/`, `readings/` and
-//! `envelopes/`.
+//! The files of single cases: `histories/`, `probes/`, `readings/` and `envelopes/`.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -16,8 +15,8 @@ use crate::quantities::{envelope, history};
 pub struct Series {
     /// Name of its column.
     pub name: String,
-    /// Unit of its values: `Pa`, `m`, or whatever `probes/columns.csv` says; empty where it does
-    /// not say.
+    /// Unit of its values: `Pa`, `m`, or what `probes/columns.csv` says; empty where that says
+    /// none.
     pub unit: String,
     /// How a gauge measures, as `probes/columns.csv` says; empty otherwise.
     pub method: String,
@@ -25,12 +24,12 @@ pub struct Series {
     pub points: Vec<(f64, f64)>,
 }
 
-/// Series of one case, in the order of their columns; none where it has no file of them.
+/// Series of one case, in the order of their columns; empty where it has no such file.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct History(pub Vec<Series>);
 
 impl History {
-    /// The points of a column; none where it is not there.
+    /// The points of a column; empty where the column is missing.
     pub fn points(&self, name: &str) -> &[(f64, f64)] {
         self.0.iter().find(|series| series.name == name).map_or(&[], |series| &series.points)
     }
@@ -41,7 +40,7 @@ impl History {
 pub struct Reading {
     /// What it is.
     pub name: String,
-    /// Its value; `None` where the scene could not tell.
+    /// Its value; `None` where the scene has none.
     pub value: Option<f64>,
     /// Its unit.
     pub unit: String,
@@ -50,11 +49,11 @@ pub struct Reading {
 /// The largest pressures at one height of the wall, as `envelopes/*.csv` has them.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 pub struct Pressed {
-    /// Over the bed at the paddle, m.
+    /// Above the bed at the paddle, m.
     pub height_m: f64,
-    /// Of the whole run, Pa.
+    /// In the whole run, Pa.
     pub pressure_max_pa: f64,
-    /// Of the first impact, Pa.
+    /// In the first impact, Pa.
     pub first_pressure_max_pa: Option<f64>,
 }
 
@@ -93,7 +92,7 @@ impl Loaded {
         self.omitted.read(&path, |path| series(path, needed))
     }
 
-    /// What the scene of a case tells besides its row, in the file's order.
+    /// The readings of a case besides its row, in the file's order.
     pub fn readings(&self, case_id: &str) -> Result<Vec<Reading>, ReportError> {
         let path = self.directory.join(format!("readings/{case_id}.csv"));
         self.omitted.read(&path, |path| {
@@ -103,7 +102,7 @@ impl Loaded {
         })
     }
 
-    /// The largest pressures up the wall of a case; none where it has no file of them.
+    /// The largest pressures up the wall of a case; empty where it has no such file.
     pub fn envelope(&self, case_id: &str) -> Result<Vec<Pressed>, ReportError> {
         let path = self.directory.join(format!("envelopes/{case_id}.csv"));
         self.omitted.read(&path, |path| {
@@ -113,7 +112,7 @@ impl Loaded {
         })
     }
 
-    /// Units and methods of the gauges' columns by their names.
+    /// Units and methods of the gauges' columns, by name.
     fn columns(&self) -> Result<BTreeMap<String, [String; 2]>, ReportError> {
         let path = self.directory.join("probes/columns.csv");
         self.omitted.read(&path, |path| {
@@ -130,7 +129,7 @@ impl Loaded {
     }
 }
 
-/// The columns of a table over time.
+/// Reads a table over time.
 fn series(path: &Path, needed: &[&'static str]) -> Result<History, ReportError> {
     let (header, records) = read_records(path, false)?;
     demand(path, &header, needed.iter().copied())?;

@@ -1,19 +1,19 @@
-//! What tells cases apart, as one says it.
+//! What tells cases apart, in the words of a sentence.
 
 use super::number::minus;
 use crate::quantities::heading;
 
-/// A part of a variant's words as one writes it: `still water depth = 0.2 m` for `still_water_depth_m = 0.2`.
+/// A part of a variant's words: `still water depth = 0.2 m` for `still_water_depth_m = 0.2`.
 pub fn spoken(part: &str) -> String {
     let Some((name, value)) = part.split_once(" = ") else { return part.to_owned() };
     let heading = heading(name);
     let (symbol, unit) = heading.split_once(", ").unwrap_or((&heading, ""));
-    // What is no number has none.
+    // Only numbers have units.
     let unit = if value.parse::<f64>().is_ok() { unit } else { "" };
     format!("{symbol} = {} {unit}", minus(value)).trim_end().to_owned()
 }
 
-/// The same of all its parts.
+/// All parts of a variant's words in this form.
 pub(super) fn all_spoken(words: &str) -> String {
     words.split(", ").map(spoken).collect::<Vec<_>>().join(", ")
 }

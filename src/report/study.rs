@@ -1,4 +1,4 @@
-//! What the manifest tells of the study as a whole: what was swept, and the file that it was made from.
+//! What the manifest says of the whole study: its swept keys, and the file that it was made from.
 
 use serde_json::Value as Json;
 use toml::{Table, Value};
@@ -10,7 +10,7 @@ use crate::scene::{Place, SeawallScene, place_of};
 /// A swept key and its cell in every row of the summary.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Key {
-    /// As it stands in the sweep's grid.
+    /// Its name in the sweep's grid.
     pub name: String,
     /// One cell per row.
     pub cells: Cells,
@@ -29,7 +29,7 @@ pub(super) fn keys(manifest: &Json) -> Vec<String> {
     keys.into_iter().flatten().filter_map(|key| key.as_str().map(str::to_owned)).collect()
 }
 
-/// The sweep file with what the command line set.
+/// The sweep file with the settings of the command line.
 #[derive(Debug, Clone, Default)]
 pub(super) struct StudyFile {
     /// `[scene]`.
@@ -45,7 +45,7 @@ pub(super) struct StudyFile {
 }
 
 impl StudyFile {
-    /// `None` where the manifest has none that can be read.
+    /// Reads it; `None` where the manifest has no file that can be read.
     pub fn of(manifest: Option<&Json>) -> Option<StudyFile> {
         let mut file: Table = manifest?.get("sweep_file")?.as_str()?.parse().ok()?;
         for set in manifest?.get("overrides").and_then(Json::as_array).into_iter().flatten() {
@@ -62,13 +62,13 @@ impl StudyFile {
         })
     }
 
-    /// Whether a key of the scene has a value there, or several.
+    /// Whether the file gives a key of the scene one value or several.
     pub fn gives(&self, key: &str) -> bool {
         [&self.scene, &self.grid].iter().any(|table| table.contains_key(key))
     }
 
-    /// `[scene]` and `[numerics]` of a row, from these numerics and its swept keys, without what its wall or
-    /// paddle does not have; `None` where a key is not known.
+    /// `[scene]` and `[numerics]` of a row, from these numerics and its swept keys, without keys
+    /// that its wall or paddle does not have. `None` where a key is not known.
     pub fn of_row(&self, keys: &[Key], row: usize, numerics: &Table) -> Option<[Table; 2]> {
         let [mut scene, mut numerics] = [&self.scene, numerics].map(Clone::clone);
         for key in keys {

@@ -1,4 +1,4 @@
-//! What tells several runs of the same wave and wall apart.
+//! Tells several runs of the same wave and wall apart.
 
 use sha2::{Digest, Sha256};
 
@@ -10,21 +10,21 @@ use crate::math::digest::digits;
 use crate::quantities::Column;
 use crate::quantities::summary::{BOUNDARY, FORCE_COUPLING, KERNEL, PARTICLE_SPACING, SCHEME};
 
-/// Columns that say where and how a case was computed, and never what.
+/// Columns that say where and how a case was computed, and not what was computed.
 const PROVENANCE: &[&str] =
     &["host", "rank", "ranks", "threads", "executor", "simd", "version", "git_commit"];
 
-/// Values longer than this, such as beds of many points, are told by their number in the study: they are
-/// part of names of files.
+/// Longer values, such as beds of many points, are replaced by their number in the study: they
+/// would be part of file names.
 const LONGEST: usize = 60;
 
-/// File systems take names of 255 bytes, endings included. Longer ones end with a checksum of the whole.
+/// File systems take names of 255 bytes with the ending. Longer ones end with a checksum.
 const LONGEST_NAME: usize = 200;
 
 /// A name with these words in it, fit for a file.
 pub(super) fn file_name(stem: &str, words: &str) -> String {
     let mut name = stem.to_owned();
-    // Two floors may differ in nothing but the sign of their height.
+    // Two floors may differ only in the sign of their height.
     let words = words.replace(" -", " minus ");
     for word in words.split(|c: char| !c.is_ascii_alphanumeric() && c != '.') {
         if !word.is_empty() {
@@ -42,9 +42,9 @@ pub(super) fn file_name(stem: &str, words: &str) -> String {
     name
 }
 
-/// Fills in [`Row::variant`] where several rows share wave, stiffness and mass, from the choices
-/// that differ: those the report knows, and swept keys behind the columns of every sweep. Where the grid's keys are
-/// known, others tell nothing: numerics that follow from a swept bed would stand in every label.
+/// Fills in [`Row::variant`] where several rows share wave, stiffness and mass. It names the
+/// choices that differ: known ones, and swept keys after the usual columns. If the grid's keys are
+/// known, only they count: numerics that follow from a swept bed would stand in every label.
 pub(super) fn name_variants(rows: &mut [Row], swept: &[Key], grid: &[String]) {
     let mut places: Vec<_> = rows.iter().map(Row::place).collect();
     places.sort_unstable();
@@ -69,14 +69,14 @@ pub(super) fn name_variants(rows: &mut [Row], swept: &[Key], grid: &[String]) {
     }
 }
 
-/// What a row has of these choices: `boundary = sfdi, kernel = gaussian`. One without a key has an empty cell.
+/// A row's values of these choices: `boundary = sfdi, kernel = gaussian`. Empty cells are left out.
 pub(super) fn words(choices: &[(String, Cells)], row: usize) -> String {
     let has = choices.iter().filter(|(_, cells)| !cells[row].is_empty());
     has.map(|(name, cells)| format!("{name} = {}", &cells[row])).collect::<Vec<_>>().join(", ")
 }
 
-/// Rounds numbers for the eye, unless that would make two of them one. Values that are long, or that the name
-/// of a file cannot tell apart, are told by their number in the study.
+/// Rounds numbers for the reader, unless that makes two values equal. Long values, and those that a
+/// file name cannot tell apart, are replaced by their number in the study.
 pub(super) fn shorten(values: &Cells) -> Cells {
     let short = values.map(|cell| {
         let value = cell.parse::<f64>().ok().filter(|value| value.is_finite());
@@ -121,7 +121,7 @@ mod tests {
         assert_eq!(&*rows[1].variant, "boundary = normalized, slip = no");
     }
 
-    /// The story: a level bed among others has another interpolator by default, which stood in every label.
+    /// The story: a level bed had another default interpolator, which stood in every label.
     #[test]
     fn what_follows_from_a_swept_key_is_left_out() {
         let variants = |grid: &[&str]| {

@@ -1,4 +1,4 @@
-//! Which cases of two studies are the same physical point, and which keys they differ in.
+//! Finds cases of two studies at the same physical point, and the keys in which they differ.
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -6,13 +6,13 @@ use super::values::{number_text, shown, text};
 use super::{DifferentKey, Side, Study};
 use crate::report::row::PLACE;
 
-/// Values of a key that are shown, at most.
+/// How many values of a key are shown, at most.
 const SHOWN: usize = 3;
 
 /// Pairs of cases at the same point, in the order of the first study.
 ///
-/// A point is told by the keys of `[scene]` that either study sweeps, and by those of `[numerics]` that
-/// both sweep. What only one of them sweeps in its numerics makes several cases of one point.
+/// A point is given by the keys of `[scene]` that either study sweeps, and the keys of `[numerics]`
+/// that both sweep. If only one sweeps a key of `[numerics]`, several of its cases share a point.
 pub fn matched(studies: &[Study<'_>; 2]) -> Vec<(usize, usize)> {
     let swept = studies
         .each_ref()
@@ -29,7 +29,7 @@ pub fn matched(studies: &[Study<'_>; 2]) -> Vec<(usize, usize)> {
     pairs.flat_map(|(at, point)| others(point).map(move |other| (at, *other))).collect()
 }
 
-/// Each case's point as text that is the same for the same values.
+/// Each case's point as text. Equal values give equal text.
 fn points(study: &Study<'_>, either: &[&str], both: &[&str]) -> Vec<String> {
     let of = |section: usize, keys: &[&str]| {
         keys.iter().map(|key| study.values.column(section, key)).collect::<Vec<_>>()
@@ -47,7 +47,7 @@ fn points(study: &Study<'_>, either: &[&str], both: &[&str]) -> Vec<String> {
     study.sides.iter().map(point).collect()
 }
 
-/// Keys that differ in some pair, those of the scene first.
+/// Keys that differ in some pair; keys of the scene come first.
 pub fn different_keys(studies: &[Study<'_>; 2], pairs: &[(usize, usize)]) -> Vec<DifferentKey> {
     let of = |one: usize, at: usize| studies[one].sides[at].case;
     let both = pairs.iter().filter_map(|&(a, b)| Some([of(0, a)?, of(1, b)?]));

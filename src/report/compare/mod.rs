@@ -1,4 +1,4 @@
-//! Two studies side by side: the same physical points, by their values and not by their identities, since
+//! Two studies side by side. Cases are matched by their physical values and not by their ids, since
 //! numerics may differ.
 
 mod matching;
@@ -25,7 +25,7 @@ pub struct DifferentKey {
     pub section: &'static str,
     /// The key.
     pub key: String,
-    /// Its values in either study; empty where it has none.
+    /// Its values in the two studies; empty where a study has none.
     pub values: [String; 2],
 }
 
@@ -34,29 +34,28 @@ pub struct DifferentKey {
 pub struct Comparison {
     /// Names of the studies.
     pub names: [String; 2],
-    /// Finished cases of either.
+    /// How many cases of each are finished.
     pub finished: [usize; 2],
     /// Keys that differ in cases of the same point.
     pub keys: Vec<DifferentKey>,
     /// Cases of the same point.
     pub pairs: Vec<Pair>,
-    /// Cases that only one of them has, in words.
+    /// Cases that only one study has, in words.
     pub only: [Vec<String>; 2],
 }
 
 /// A study, as far as it is compared.
 struct Study<'a> {
     data: &'a Loaded,
-    /// Its finished cases.
     sides: Vec<Side<'a>>,
-    /// What those were, as far as files tell.
+    /// The keys and values of those cases, as far as files tell.
     values: Values,
 }
 
 /// A finished case of a study.
 struct Side<'a> {
     row: &'a Row,
-    /// Its place among the values.
+    /// Its place in `Study::values`.
     case: Option<usize>,
 }
 
@@ -68,7 +67,7 @@ pub fn compare(directories: [&Path; 2]) -> Result<Comparison, ReportError> {
     let matches = matching::matched(&studies);
     let [a, b] = studies.each_ref().map(|study| &study.sides);
     let only = [0, 1].map(|one| {
-        // Of a hundred thousand pairs a look through all for each case would take minutes.
+        // Looking through all pairs for each case takes minutes where there are a hundred thousand.
         let has: HashSet<usize> = matches.iter().map(|&(a, b)| [a, b][one]).collect();
         let lone = [a, b][one].iter().enumerate().filter(|(at, _)| !has.contains(at));
         lone.map(|(_, side)| side.row.title()).collect()

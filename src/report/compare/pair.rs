@@ -1,4 +1,4 @@
-//! Two cases of the same point: what they differ by.
+//! Two cases of the same point and their differences.
 
 use super::Side;
 use super::values::number_text;
@@ -11,8 +11,8 @@ use crate::report::number::plain;
 use crate::report::row::{PLACE, label};
 use crate::report::spoken::all_spoken;
 
-/// What is compared, and what stands in for it where one of the cases has no first impact, and where waves are
-/// regular: which of them is the first to press hard may differ.
+/// Each compared quantity, with the column that replaces it where a case has no first impact. It
+/// also replaces it for regular waves, where the first hard impact may come from different waves.
 pub const COMPARED: [(&Column, Option<&Column>); 3] = [
     (&FIRST_FORCE_MAX, Some(&FORCE_MAX)),
     (&FIRST_RUNUP_MAX, Some(&RUNUP_MAX)),
@@ -31,7 +31,7 @@ pub struct Difference {
     pub bars: [Option<f64>; 2],
     /// Whether they are lower bounds.
     pub bounds: [bool; 2],
-    /// In percent it means something: runups are told in h alone.
+    /// Whether percent means something. Runups are given in h alone.
     relative: bool,
 }
 
@@ -40,7 +40,7 @@ pub struct Difference {
 pub struct Pair {
     /// The point in words.
     pub words: String,
-    /// H/h, k, m; empty where there is none.
+    /// H/h, k, m; each is empty where the case has none.
     pub place: [String; 3],
     /// The cases' identities.
     pub ids: [String; 2],
@@ -51,45 +51,45 @@ pub struct Pair {
 /// The differences of one quantity in all pairs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tally {
-    /// How many pairs have it.
+    /// How many pairs have this quantity.
     pub count: usize,
     /// The median size: percent, or h for runups.
     pub median: f64,
     /// The worst size.
     pub worst: f64,
-    /// The pair that has it.
+    /// The pair with the worst size.
     pub worst_pair: usize,
-    /// Pairs with an error bar, and those within it.
+    /// Pairs with an error bar and a known difference.
     pub with_bars: usize,
     /// Pairs whose difference is within their bars.
     pub within: usize,
 }
 
 impl Difference {
-    /// The second less the first, in the quantity's unit.
+    /// The second value less the first, in the quantity's unit.
     pub fn absolute(&self) -> f64 {
         self.values[1] - self.values[0]
     }
 
-    /// The same over the first, percent; none where the wall hardly moves.
+    /// The difference over the first value, percent; `None` where the wall hardly moves.
     pub fn percent(&self) -> Option<f64> {
         let first = self.values[0];
         (first.abs() > LEAST).then(|| 100.0 * self.absolute() / first.abs())
     }
 
-    /// The two bars added up; none where neither case has one.
+    /// The sum of the two bars; `None` where neither case has one.
     pub fn bar(&self) -> Option<f64> {
         let [a, b] = self.bars;
         a.or(b)?;
         Some(a.unwrap_or(0.0) + b.unwrap_or(0.0))
     }
 
-    /// Whether one of the cases alone has a bar.
+    /// Whether only one of the cases has a bar.
     pub fn has_one_bar(&self) -> bool {
         self.bars[0].is_some() != self.bars[1].is_some()
     }
 
-    /// Whether one value is a lower bound short of the other: nothing tells what they differ by.
+    /// Whether one value is a lower bound below the other. Then their difference is unknown.
     fn is_open(&self) -> bool {
         match self.bounds {
             [true, false] => self.values[0] <= self.values[1],
@@ -103,7 +103,7 @@ impl Difference {
         self.bar().filter(|_| !self.is_open()).map(|bar| self.absolute().abs() <= bar)
     }
 
-    /// What is told and tallied: percent, or h for runups.
+    /// The difference that is reported and counted: percent, or h for runups.
     pub fn size(&self) -> Option<f64> {
         match self.relative {
             _ if self.is_open() => None,
@@ -136,7 +136,7 @@ impl Pair {
         }
     }
 
-    /// The differences of one quantity; none where no pair has it.
+    /// Summarises the differences of one quantity; `None` where no pair has it.
     pub fn tally(pairs: &[Pair], quantity: usize) -> Option<Tally> {
         let sized = pairs.iter().enumerate().filter_map(|(at, pair)| {
             let difference = pair.differences[quantity]?;
@@ -158,7 +158,7 @@ impl Pair {
     }
 }
 
-/// Both cases in words. What they have different values of has both, with a bar between.
+/// Both cases in words. Where their values differ, both stand there with a bar between.
 fn point(a: &Side, b: &Side) -> String {
     let part = |column: &&'static Column| {
         let values = [a, b].map(|side| side.row.number(column));

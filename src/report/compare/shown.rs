@@ -1,5 +1,5 @@
-//! A comparison as a table, one line per pair of cases, and as a figure: what cases differ by against their
-//! value in the first study.
+//! A comparison as a table, one line per pair of cases, and as a figure: the differences against
+//! the values in the first study.
 
 use super::{COMPARED, Comparison, Difference, Pair};
 use crate::quantities::Column;
@@ -7,7 +7,7 @@ use crate::report::plots::{Axis, Chart, Curve, Drawing, Entry, Figure, Layout, L
 use crate::report::row::PLACE;
 use crate::report::tables::{Table, plain};
 
-/// The table: the point, both cases, and for each quantity both values and what they differ by.
+/// The table: the point, both cases, and for each quantity both values and their difference.
 pub fn table(comparison: &Comparison) -> Table {
     let mut header: Vec<String> = PLACE.iter().map(|column| column.name.to_owned()).collect();
     header.extend(["case_id_a", "case_id_b", "case"].map(str::to_owned));
@@ -33,7 +33,7 @@ fn of(difference: Option<&Difference>) -> [String; 8] {
     [a, b, difference, percent, error_a, error_b, bound, plain(one.is_within())]
 }
 
-/// The figure; none where no pair has a number of each.
+/// The figure; `None` where no pair has both numbers.
 pub fn figure(comparison: &Comparison) -> Option<Figure> {
     let columns = COMPARED.iter().map(|(column, _)| *column).enumerate();
     let charts = columns.filter_map(|(at, column)| chart(comparison, at, column)).collect();

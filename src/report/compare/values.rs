@@ -1,4 +1,4 @@
-//! What the cases of a study have under each key, every value once: their tables would be gigabytes.
+//! What cases have under each key, each value once: full tables would take gigabytes.
 
 use std::collections::HashMap;
 
@@ -7,7 +7,7 @@ use toml::{Table, Value};
 use crate::keys::{alike, number};
 use crate::report::config::Config;
 
-/// The values of some cases, by their sections.
+/// The values of some cases, by section.
 #[derive(Debug, Default)]
 pub struct Values {
     /// `[scene]` and `[numerics]`.
@@ -15,10 +15,10 @@ pub struct Values {
     cases: usize,
 }
 
-/// The values of a section, by their keys.
+/// The values of a section, by key.
 type Columns = Vec<(String, Column)>;
 
-/// A value, as it is told, and as text that is the same for equal numbers; `None` where a case has none.
+/// A value for the reader, and as text that is equal for equal numbers; `None` if a case has none.
 #[derive(Debug)]
 struct Told {
     value: Option<Value>,
@@ -31,13 +31,13 @@ struct Told {
 pub struct Column {
     different: Vec<Told>,
     places: HashMap<String, u32>,
-    /// That of each case; none where all cases have the first.
+    /// The place of each case's value in `different`; empty where all cases have the first.
     at: Vec<u32>,
     cases: usize,
 }
 
 impl Values {
-    /// Adds a case; its place among all.
+    /// Adds a case, and returns its place among all cases.
     pub fn push(&mut self, config: &Config) -> usize {
         for (columns, table) in self.sections.iter_mut().zip([&config.scene, &config.numerics]) {
             push(columns, table, self.cases);
@@ -46,31 +46,31 @@ impl Values {
         self.cases - 1
     }
 
-    /// The keys of a section, by its place.
+    /// The keys of a section, which is given by its place.
     pub fn keys(&self, section: usize) -> impl Iterator<Item = &str> {
         self.sections[section].iter().map(|(key, _)| key.as_str())
     }
 
-    /// What the cases have under a key of a section, by its place; `None` where no case has it.
+    /// The values of a key in the section at a place; `None` where no case has the key.
     pub fn column(&self, section: usize, key: &str) -> Option<&Column> {
         let mut columns = self.sections[section].iter();
         columns.find(|(name, _)| name == key).map(|(_, column)| column)
     }
 }
 
-/// The value of a case as it is told, if it has one.
+/// The value of a case for the reader, if it has one.
 pub fn shown(column: Option<&Column>, case: usize) -> Option<&str> {
     let told = column?.told(case).filter(|told| told.value.is_some());
     told.map(|told| told.shown.as_str())
 }
 
-/// The same as text that is the same for equal numbers.
+/// The value of a case as text that is equal for equal numbers.
 pub fn text(column: Option<&Column>, case: usize) -> &str {
     let told = column.and_then(|column| column.told(case));
     told.filter(|told| told.value.is_some()).map_or("-", |told| &told.text)
 }
 
-/// Nine digits tell numbers apart that a file writes in different ways.
+/// Nine digits: equal numbers give equal text, however a file writes them.
 pub fn number_text(value: Option<f64>) -> String {
     value.map_or_else(|| "-".to_owned(), |value| format!("{value:.8e}"))
 }
@@ -78,7 +78,7 @@ pub fn number_text(value: Option<f64>) -> String {
 /// Adds the table of the next case.
 fn push(columns: &mut Columns, table: &Table, cases: usize) {
     for (place, (key, value)) in table.iter().enumerate() {
-        // Nearly always the keys are those of the case before.
+        // The keys are nearly always those of the case before.
         let there = columns.get(place).is_some_and(|(name, _)| name == key);
         let place =
             if there { Some(place) } else { columns.iter().position(|(name, _)| name == key) };
@@ -94,7 +94,7 @@ fn push(columns: &mut Columns, table: &Table, cases: usize) {
 }
 
 impl Column {
-    /// Cases up to this one have no value, where none was given.
+    /// Records that the cases before this one have no value, where none was given.
     fn fill(&mut self, cases: usize) {
         while self.cases < cases {
             self.push(None);

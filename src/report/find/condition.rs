@@ -24,11 +24,11 @@ pub enum Operator {
 /// One comparison.
 #[derive(Debug, Clone)]
 pub struct Comparison {
-    /// What is compared.
+    /// The quantity that is compared.
     pub subject: Subject,
-    /// How.
+    /// How it is compared.
     pub operator: Operator,
-    /// With what.
+    /// The limit.
     pub limit: f64,
 }
 
@@ -39,7 +39,7 @@ pub enum Verdict {
     Met,
     /// It does not.
     NotMet,
-    /// Its files do not tell.
+    /// Its files do not say.
     Unknown,
 }
 
@@ -51,7 +51,7 @@ const SHAPE: &str = "write COLUMN < NUMBER, with <, <=, >, >= or =, and `and` be
                      \"force_max < 2 and runup_max < 0.5\"";
 
 impl Operator {
-    /// Longer ones before those that they begin with.
+    /// Longer signs stand before those that begin the same way.
     const SIGNS: [(&'static str, Operator); 6] = [
         ("<=", Operator::AtMost),
         (">=", Operator::AtLeast),
@@ -71,7 +71,7 @@ impl Operator {
         }
     }
 
-    /// Whether a value above this one may be on the other side.
+    /// Whether the comparison's result may change for a larger value.
     fn may_change_above(self, value: f64, limit: f64) -> bool {
         match self {
             Operator::Below | Operator::AtMost => self.holds(value, limit),
@@ -92,7 +92,7 @@ impl Operator {
 }
 
 impl Comparison {
-    /// Whether a case meets it. The true value of a lower bound may be anything above it.
+    /// Whether a case meets it. For a lower bound the true value may be anything above.
     pub fn verdict(&self, row: usize) -> Verdict {
         let Reading::Value { value, bound, .. } = self.subject.readings[row] else {
             return Verdict::Unknown;
@@ -104,7 +104,7 @@ impl Comparison {
         }
     }
 
-    /// Whether a case's error bar reaches the limit; what is equal to it has no other side.
+    /// Whether a case's error bar reaches the limit. Equality has no other side.
     pub fn is_near(&self, row: usize) -> bool {
         match self.subject.readings[row] {
             _ if self.operator == Operator::Equal => false,
@@ -118,25 +118,25 @@ impl Condition {
     /// Reads a condition on the columns of a study.
     ///
     /// # Errors
-    /// In one line: a comparison that is none, a column that the study does not have, or no number.
+    /// In one line: a malformed comparison, a column that the study does not have, or no number.
     pub fn read(text: &str, data: &Loaded) -> Result<Condition, String> {
         let words: Vec<_> = text.split_whitespace().collect();
         let parts = words.split(|word| word.eq_ignore_ascii_case("and"));
         parts.map(|part| comparison(&part.join(" "), data)).collect::<Result<_, _>>().map(Condition)
     }
 
-    /// What is to be equal to a number.
+    /// The subjects that are to equal a number.
     pub fn equal(&self) -> impl Iterator<Item = &Subject> {
         let equal = self.0.iter().filter(|one| one.operator == Operator::Equal);
         equal.map(|one| &one.subject)
     }
 
-    /// Whether something that was not swept is to be equal to a number: such points are no part of an axis.
+    /// Whether a column that was not swept is to equal a number: such points are on no axis.
     pub fn picks_points(&self, data: &Loaded) -> bool {
         self.equal().any(|one| data.keys.iter().all(|key| key.name != one.name))
     }
 
-    /// Whether a case meets all comparisons: one that is not met decides, whatever is unknown.
+    /// Whether a case meets all comparisons. One that is not met decides, even beside unknowns.
     pub fn verdict(&self, row: usize) -> Verdict {
         let verdicts = || self.0.iter().map(|comparison| comparison.verdict(row));
         if verdicts().any(|verdict| verdict == Verdict::NotMet) {
@@ -148,7 +148,7 @@ impl Condition {
         }
     }
 
-    /// Whether the error bar of one of a case's numbers reaches its limit.
+    /// Whether the error bar of any compared number reaches its limit.
     pub fn is_near(&self, row: usize) -> bool {
         self.0.iter().any(|comparison| comparison.is_near(row))
     }

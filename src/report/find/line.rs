@@ -1,4 +1,4 @@
-//! A line of cases along an axis, and its boundaries.
+//! A line of cases along an axis, and the boundaries on it.
 
 use super::condition::{Comparison, Condition, Verdict};
 use super::{Basis, Boundary};
@@ -15,7 +15,7 @@ pub(super) struct Stop {
     place: f64,
 }
 
-/// The cases that differ in one key alone, in the order of its values; groups in the grid's order.
+/// Lines of cases that differ in one key alone, in its order. Lines are in the grid's order.
 pub(super) fn lines(key: usize, scale: Scale, data: &Loaded) -> Vec<Vec<Stop>> {
     let stop = |row: usize| {
         let value = data.keys[key].cells[row].parse::<f64>().ok()?;
@@ -40,7 +40,7 @@ pub(super) struct Line<'a> {
 }
 
 impl Line<'_> {
-    /// All of its boundaries.
+    /// All boundaries of the line.
     pub fn all(&self) -> Vec<Boundary> {
         let known = |at: &usize| self.verdict(*at) != Verdict::Unknown;
         let told: Vec<_> = (0..self.stops.len()).filter(known).collect();
@@ -61,13 +61,13 @@ impl Line<'_> {
         self.condition.verdict(self.stops[at].row)
     }
 
-    /// The end of the known part of a line, where it is met there and nothing is known beyond.
+    /// The boundary at the end of the known part, where the condition is met there.
     fn open(&self, known: usize, end: usize) -> Option<Boundary> {
         (self.verdict(known) == Verdict::Met).then(|| self.within(known, end, Basis::Gap))
     }
 
-    /// A boundary of which no more is known than that it lies between a case that meets the condition and
-    /// another one.
+    /// A boundary somewhere between a case that meets the condition and another case. Nothing more
+    /// is known of it.
     fn within(&self, met: usize, other: usize, basis: Basis) -> Boundary {
         let (low, high) = (met.min(other), met.max(other));
         let between = [self.stops[low].value, self.stops[high].value];
@@ -91,7 +91,7 @@ impl Line<'_> {
         Boundary { key, row, scale, met_above, at, between, basis, doubtful }
     }
 
-    /// The boundaries between two cases beside one another, or with cases between that tell nothing.
+    /// The boundaries between two known cases with none, or only unknown ones, between them.
     fn between(&self, low: usize, high: usize) -> Vec<Boundary> {
         let verdicts = [low, high].map(|at| self.verdict(at));
         let differ = verdicts[0] != verdicts[1];
@@ -108,14 +108,14 @@ impl Line<'_> {
         let basis = match high > low + 1 {
             true => Basis::Gap,
             false if any_has(None) => Basis::LowerBound,
-            // A wall that stays, a crest that no water passes: somewhere between the curve leaves 0.
+            // The wall stays, or no water passes the crest: the curve leaves 0 in between.
             false if differ && any_has(Some(0.0)) => Basis::Start,
             false => return self.interpolated(low),
         };
         differ.then(|| self.within(met, other, basis)).into_iter().collect()
     }
 
-    /// The ends of the share of an interval in which the straight lines meet all comparisons.
+    /// The ends of the part of an interval in which the straight lines meet all comparisons.
     fn interpolated(&self, low: usize) -> Vec<Boundary> {
         let (mut from, mut to) = (Vec::new(), Vec::new());
         for comparison in &self.condition.0 {
@@ -140,7 +140,7 @@ impl Line<'_> {
         ends.filter_map(end).collect()
     }
 
-    /// Where the chord crosses a comparison's limit in an interval, as a share of it.
+    /// Where the straight line crosses a comparison's limit, as a share of the interval.
     fn share(&self, comparison: &Comparison, low: usize) -> f64 {
         if comparison.subject.name == self.data.keys[self.key].name {
             let [left, right] = [low, low + 1].map(|at| self.stops[at].place);
@@ -157,8 +157,8 @@ impl Line<'_> {
         Some((stop.place, comparison.subject.exact(stop.row)?))
     }
 
-    /// A boundary by linear interpolation, with the range that the bend of the curve and the error bars
-    /// of both cases leave it.
+    /// A boundary by linear interpolation. Its range follows from the bend of the curve and the
+    /// error bars of both cases.
     fn crossing(
         &self,
         comparison: &Comparison,
@@ -182,7 +182,7 @@ impl Line<'_> {
         let ends = bend.map(|bend| bend.crossings([from, to], comparison.limit));
         let bars = [left, right].map(|stop| comparison.subject.bar(stop.row).unwrap_or(0.0));
         let bar = (bars[0] + (bars[1] - bars[0]) * share) / (to.1 - from.1).abs();
-        // A case whose bar does not reach the limit is on its side of the boundary for certain.
+        // A case whose bar does not reach the limit is certainly on its side of the boundary.
         let sure = [left, right].map(|stop| !comparison.is_near(stop.row));
         let basis = if ends.is_some() { Basis::Bend } else { Basis::TwoCases };
         let [first, last] = ends.unwrap_or([0.0, 1.0]);

@@ -21,19 +21,19 @@ use crate::math::scale::Scale;
 pub struct Boundary {
     /// The swept key, by its place among the study's keys.
     pub key: usize,
-    /// A case of the line, which has the values of the other swept keys.
+    /// A case of the line. It gives the values of the other swept keys.
     pub row: usize,
     /// How the axis is spread.
     pub scale: Scale,
     /// Whether the condition is met above the boundary, rather than below it.
     pub met_above: bool,
-    /// The boundary; `None` where there is nothing to interpolate with.
+    /// The boundary's value; `None` where there is nothing to interpolate with.
     pub at: Option<f64>,
-    /// It lies between these as far as can be told.
+    /// The range in which the boundary lies, as far as known.
     pub between: [f64; 2],
-    /// What was found there, and what it rests on.
+    /// What the range rests on.
     pub basis: Basis,
-    /// One of the cases beside it is doubtful.
+    /// Whether a case beside the boundary is doubtful.
     pub doubtful: bool,
 }
 
@@ -41,13 +41,13 @@ pub struct Boundary {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Basis {
-    /// The bend of the curve, from a point beside the two that are interpolated, and error bars.
+    /// The bend of the curve, from a third point beside the two interpolated ones, and error bars.
     Bend,
-    /// Two cases alone: no third tells how the curve bends.
+    /// Two cases alone: no third shows how the curve bends.
     TwoCases,
     /// The value beyond is a lower bound.
     LowerBound,
-    /// One of the two has exactly 0: what the condition speaks of begins somewhere between them.
+    /// One of the two values is exactly 0: the quantity leaves 0 somewhere between them.
     Start,
     /// The cases between have no value or failed.
     Gap,
@@ -58,7 +58,7 @@ pub enum Basis {
 /// What was found.
 #[derive(Debug, Clone)]
 pub struct Found {
-    /// What was asked.
+    /// The condition.
     pub condition: Condition,
     /// The answer for every row of the summary.
     pub verdicts: Vec<Verdict>,
@@ -78,13 +78,13 @@ pub fn find(text: &str, data: &Loaded) -> Result<Found, String> {
 }
 
 impl Found {
-    /// The rows with a verdict.
+    /// The rows with this verdict.
     pub fn rows(&self, verdict: Verdict) -> impl Iterator<Item = usize> {
         let all = self.verdicts.iter().enumerate();
         all.filter(move |(_, one)| **one == verdict).map(|(row, _)| row)
     }
 
-    /// Why nothing can be told of a case.
+    /// Why a case's verdict is unknown.
     pub fn why(&self, row: usize) -> &'static str {
         let readings = self.condition.0.iter().filter_map(|comparison| {
             let unknown = comparison.verdict(row) == Verdict::Unknown;
@@ -99,7 +99,7 @@ impl Found {
     }
 }
 
-/// The boundaries along every swept key of numbers.
+/// The boundaries along every swept key that holds numbers.
 fn boundaries(condition: &Condition, data: &Loaded) -> Vec<Boundary> {
     if condition.picks_points(data) {
         return Vec::new();
@@ -116,8 +116,8 @@ fn boundaries(condition: &Condition, data: &Loaded) -> Vec<Boundary> {
     (0..data.keys.len()).flat_map(of_key).collect()
 }
 
-/// How an axis is spread: as the sweep file says, or else by its values; `None` where it is none of
-/// numbers, or none at all.
+/// How an axis is spread: as the sweep file says, or else by its values. `None` where its values
+/// are no numbers, or all the same.
 fn scale(key: &Key, data: &Loaded) -> Option<Scale> {
     let numbers = || key.cells.iter().filter(|cell| !cell.is_empty());
     let values: Vec<f64> = numbers().map(|cell| cell.parse()).collect::<Result<_, _>>().ok()?;

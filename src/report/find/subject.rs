@@ -1,4 +1,4 @@
-//! What a condition speaks of: a column of numbers, case by case.
+//! The subject of a condition: a column of numbers, case by case.
 
 use crate::keys::hint;
 use crate::quantities::summary::{ALL, names};
@@ -9,9 +9,9 @@ use crate::report::row::Row;
 /// A column of the summary, or a swept key.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Subject {
-    /// As it stands in the summary.
+    /// Its name in the summary.
     pub name: String,
-    /// What stands in it, row by row.
+    /// Its number in each row.
     pub readings: Vec<Reading>,
 }
 
@@ -37,7 +37,7 @@ impl Subject {
     /// The column of that name or symbol.
     ///
     /// # Errors
-    /// A name that no column has, a column of words.
+    /// A name that no column has, or a column of words.
     pub fn of(name: &str, data: &Loaded) -> Result<Subject, String> {
         let swept = |name: &str| data.keys.iter().find(|key| key.name == name);
         let is_name = named(name).is_some() || swept(name).is_some();
@@ -73,7 +73,7 @@ impl Subject {
         Ok(Subject { name: name.to_owned(), readings })
     }
 
-    /// A case's value, bounds left out.
+    /// A case's value, unless it is a bound.
     pub fn exact(&self, row: usize) -> Option<f64> {
         match self.readings[row] {
             Reading::Value { value, bound: false, .. } => Some(value),
@@ -94,7 +94,7 @@ fn is_word(cell: &str) -> bool {
     !cell.is_empty() && cell.parse::<f64>().is_err()
 }
 
-/// The maximum whose time stands in a column.
+/// The maximum whose time is in the column of this name.
 fn with_time(name: &str) -> Option<&'static Column> {
     ALL.iter().copied().find(|column| column.time_name().as_deref() == Some(name))
 }

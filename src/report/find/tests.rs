@@ -46,7 +46,7 @@ fn every_operator_picks_its_cases() {
     assert_eq!(told, "force_max > 1 and seawall_mass_kg_per_m < 2");
 }
 
-/// The story: what sums of no water leave went over a wall, and a boundary was drawn through it.
+/// The story: sums over no water were not exactly 0, and a boundary was drawn through their noise.
 #[test]
 fn no_water_goes_over_where_sums_leave_a_little() {
     let over = |wave: f64| if wave < 0.35 { 1e-14 * (wave - 0.25) } else { 0.002 };
@@ -109,7 +109,7 @@ fn a_straight_line_is_crossed_where_it_is_and_no_further() {
     assert!(one.met_above && one.at == Some(2.5) && one.between == [2.5, 2.5], "{one:?}");
 }
 
-/// Two grids of a curve that turns over in two decades, as forces over the stiffness do.
+/// Two grids of a curve that rises within two decades, as forces over the stiffness do.
 #[test]
 fn ranges_hold_where_a_grid_barely_shows_the_curve() {
     let curve = |s: f64| 2.0 + libm::tanh(2.0 * (s - 2.9));
@@ -125,7 +125,7 @@ fn ranges_hold_where_a_grid_barely_shows_the_curve() {
             assert!(low <= exact && exact <= high, "{points}: {exact} not in {low} to {high}");
         }
     }
-    // Three points in a straight line, which may be those of such a curve.
+    // Three points on a straight line, which may belong to such a curve.
     let data = study(MASS, "[1, 2, 3]", &[1.0, 2.0, 3.0], with(&FORCE_MAX, |x| x));
     let [low, high] = find("force_max < 1.5", &data).unwrap().boundaries[0].between;
     assert!(low < 1.3 && high > 1.7, "{low} to {high}");
@@ -165,7 +165,7 @@ fn a_lower_bound_short_of_the_limit_proves_nothing() {
     assert_eq!((beyond.at, beyond.basis, beyond.between), (None, Basis::LowerBound, [1.0, 2.0]));
 }
 
-/// The range of a chord was given, short of where the wall gave way.
+/// The range came from interpolation, and the point where the wall gave way lay outside it.
 #[test]
 fn a_wall_that_gives_way_does_so_somewhere_between_two_cases() {
     let places = [1.0, 2.0, 3.0, 4.0];

@@ -10,14 +10,14 @@ use crate::report::plots::{
     Axis, Chart, Curve, Drawing, Entry, Figure, Layout, Look, Point, key, points,
 };
 
-/// What stands in a panel: how the names of its quantities begin, and their unit.
+/// The panels: the prefixes of their quantities' names, and their unit.
 const PANELS: [(&[&str], Unit); 3] = [
     (&["first_force", "force"], Unit::Force),
     (&["first_runup", "runup"], Unit::Runup),
     (&["displacement"], Unit::Displacement),
 ];
 
-/// The figure; none where no size is compared.
+/// The figure; `None` where no force, runup or displacement is compared.
 pub fn figure(found: &[Found]) -> Option<Figure> {
     let charts = PANELS.iter().filter_map(|(names, unit)| chart(found, names, *unit)).collect();
     Some(Figure {

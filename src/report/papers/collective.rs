@@ -1,5 +1,5 @@
-//! Numbers that the papers print of many cases at once: how much a response changes with the spring's
-//! stiffness.
+//! Numbers that the papers print for many cases at once: how much a response changes with the
+//! spring's stiffness.
 
 use super::Found;
 use crate::math::lists::grouped;
@@ -12,26 +12,26 @@ use crate::quantities::summary::{
 use crate::report::config::Config;
 use crate::report::row::Row;
 
-/// Limits are printed with two digits.
+/// Tolerance of limits, as they are printed with two digits.
 const SLACK: f64 = 0.01;
-/// A wall is free below this log₁₀ k*, and as good as fixed above its opposite.
+/// Below this log₁₀ k* a wall counts as free. Above its opposite it counts as fixed.
 const FREE: f64 = -4.0;
 
-/// What is told of many cases.
+/// The kind of a number for many cases.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Kind {
     /// The largest change of a response on one side of a stiffness, percent of its value at the far end.
     Change { of: &'static Column, below: bool },
-    /// The largest value from a stiffness on.
+    /// The largest value from this stiffness on.
     Above { of: &'static Column },
-    /// The runup at a wall as good as fixed over that at a free one, less one, percent.
+    /// The runup at a nearly fixed wall over that at a free wall, less one, percent.
     Rise,
 }
 
 type Case<'a> = (&'a Row, &'a Config);
 
 impl Kind {
-    /// By the name in `data/paper_values.csv`.
+    /// The kind with this name in `data/paper_values.csv`.
     pub fn of(quantity: &str) -> Option<Kind> {
         let (x, f, r) = (&DISPLACEMENT_MAX, &FIRST_FORCE_MAX, &FIRST_RUNUP_MAX);
         Some(match quantity {
@@ -46,7 +46,7 @@ impl Kind {
         })
     }
 
-    /// For every way in which the cases were computed the wave and mass at which it is largest.
+    /// The wave and mass with the largest value, for every way in which the cases were computed.
     pub fn found<'a>(self, printed: &'static Printed, cases: &[Case<'a>]) -> Vec<Found<'a>> {
         let mut found: Vec<Found> = Vec::new();
         for group in groups(cases) {
@@ -61,7 +61,7 @@ impl Kind {
         found
     }
 
-    /// Of the cases of one wave and mass: the value, and the case that it is told of.
+    /// For cases of one wave and mass: the value, and the case that has it.
     fn read<'a>(self, printed: &Printed, group: &[Case<'a>]) -> Option<(f64, Case<'a>)> {
         match self {
             Kind::Change { of, below } => {
@@ -91,7 +91,7 @@ impl Kind {
     }
 }
 
-/// Stiffness, value and case, by rising stiffness.
+/// Stiffness, value and case, in order of rising stiffness.
 fn values<'a>(
     group: &[Case<'a>],
     column: &Column,

@@ -1,4 +1,4 @@
-//! What a case has in the place of a printed number.
+//! The value of a case that is compared with a printed number.
 
 use crate::papers::{PAPER_CLOCK_CENTRE_S, Printed};
 use crate::quantities::summary::{BOUNDARY, STEPS, STROKE_CENTRE, WALL_TIME};
@@ -8,15 +8,15 @@ use crate::report::error::ReportError;
 use crate::report::load::Loaded;
 use crate::report::row::Row;
 
-/// The interpolator of walls that costs are told over.
+/// Step times are compared with those of this interpolator at walls.
 const REFERENCE: &str = "improved-shepard";
 
-/// The column of the summary that a number stands for itself.
+/// The summary's column of a printed quantity, if there is one.
 pub fn column(printed: &Printed) -> Option<&'static Column> {
     named(&printed.quantity)
 }
 
-/// What a case has; `None` where it does not tell. `all` are the cases that the number is printed for.
+/// The case's value; `None` if it has none. `all` holds the cases that the number is printed for.
 pub fn of(
     data: &Loaded,
     printed: &Printed,
@@ -59,7 +59,7 @@ fn off_their_clock(row: &Row, time: f64) -> Option<f64> {
     Some(time + row.number(&STROKE_CENTRE)? - PAPER_CLOCK_CENTRE_S)
 }
 
-/// The value at a time, between the samples around it; `None` where the run had ended by then.
+/// The value at a time, interpolated between samples; `None` where the run had ended by then.
 pub fn at(points: &[(f64, f64)], time: f64) -> Option<f64> {
     /// The last sample may be a step before the end.
     const SLACK_S: f64 = 0.02;
@@ -76,7 +76,7 @@ fn place(displacement: f64, config: &Config) -> Option<f64> {
     Some(config.value("tank_length_m")? + displacement * config.value("still_water_depth_m")?)
 }
 
-/// The time of a step over that of the same case with the interpolator that costs are told over.
+/// The time of a step over that of the same case with the reference interpolator.
 fn step_time_ratio(row: &Row, boundary: &str, all: &[(&Row, &Config)]) -> Option<f64> {
     if row.text(&BOUNDARY) != boundary {
         return None;

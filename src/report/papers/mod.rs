@@ -1,7 +1,7 @@
-//! A study beside the papers: every printed number that it has a case for.
+//! A study beside the papers: every printed number for which the study has a case.
 //!
-//! [`confront`] finds them. From there come the table `papers`, the sentences and the figure of the page's
-//! section "The papers", and markers in other figures. The numbers themselves are in [`crate::papers`].
+//! [`confront`] finds them. They make the table `papers`, the sentences and the figure of the
+//! page's section "The papers", and markers in other figures. The numbers are in [`crate::papers`].
 
 mod agreement;
 mod collective;
@@ -25,20 +25,20 @@ pub(super) use computed::{at, column, on_their_clock, step_time};
 pub use sentences::{answer, method, sentences};
 pub use table::{beside, others, tidy};
 
-/// A printed number and what a case has in its place.
+/// A printed number and the value of a case that is compared with it.
 #[derive(Debug, Clone)]
 pub struct Found<'a> {
-    /// The number.
+    /// The printed number.
     pub printed: &'static Printed,
     /// The case.
     pub row: &'a Row,
-    /// What it was.
+    /// All values of the case.
     pub config: &'a Config,
-    /// What it has.
+    /// The value of the case.
     pub computed: f64,
-    /// The error bar.
+    /// The error bar of the computed value.
     pub error: Option<f64>,
-    /// What it has is only a lower bound.
+    /// Whether the computed value is only a lower bound.
     pub bound: bool,
 }
 
@@ -48,7 +48,7 @@ impl Found<'_> {
         self.computed - self.printed.value
     }
 
-    /// The same over what is printed, percent; none of a printed zero.
+    /// The difference over the printed number, percent; `None` if zero is printed.
     pub fn percent(&self) -> Option<f64> {
         let printed = self.printed.value;
         (printed != 0.0).then(|| 100.0 * self.difference() / printed.abs())
@@ -67,7 +67,7 @@ impl Found<'_> {
     }
 }
 
-/// All values of a study's cases.
+/// The cases of a study with all their values.
 #[derive(Debug)]
 pub struct Cases<'a> {
     pub(super) data: &'a Loaded,
@@ -75,7 +75,7 @@ pub struct Cases<'a> {
 }
 
 impl<'a> Cases<'a> {
-    /// Those of a study.
+    /// The cases of this study.
     pub fn of(data: &'a Loaded) -> Cases<'a> {
         Cases { data, configs: configs(data) }
     }
@@ -119,14 +119,14 @@ pub fn confront<'a>(cases: &'a Cases<'a>) -> Result<Vec<Found<'a>>, ReportError>
     Ok(found)
 }
 
-/// What a study says of the papers. Without a case of theirs it is no more than an answer, if that.
+/// What a study says about the papers. Without one of their cases there is at most an answer.
 #[derive(Debug, Clone, Default)]
 pub struct Papers {
     /// One line per number and case.
     pub tidy: Option<Table>,
-    /// The same for the page: the factors s beside one another.
+    /// The same for the page, with the factors s side by side.
     pub beside: Option<Table>,
-    /// How far the numbers are, or where the nearest are, for the page's top.
+    /// How far off the numbers are, or where the nearest are, for the top of the page.
     pub answer: Option<String>,
     /// What agrees, what does not, and why.
     pub sentences: Vec<String>,
@@ -134,7 +134,7 @@ pub struct Papers {
     pub figures: Vec<Figure>,
 }
 
-/// What the study says of the papers.
+/// Compares the study with the papers.
 ///
 /// # Errors
 /// A file that cannot be read; a figure that cannot be drawn.
@@ -154,7 +154,7 @@ pub fn papers(data: &Loaded) -> Result<Papers, ReportError> {
 }
 
 impl Papers {
-    /// The section of the page; empty where no case is one of theirs.
+    /// The section of the page; empty where no case is one of the papers'.
     pub fn section(&self) -> String {
         let mut text: String =
             self.sentences.iter().map(|said| format!("<p>{}</p>\n", escape(said))).collect();
@@ -172,7 +172,7 @@ mod tests {
     use crate::quantities::summary::STROKE_CENTRE;
     use crate::report::fixture;
 
-    /// Two made-up cases; of Liang's Fig. 10 where the tank is 2.5 m long and the wall has 50 kg/m.
+    /// Two made-up cases. A tank of 2.5 m and a wall of 50 kg/m are those of Liang's Fig. 10.
     pub(super) fn study(length: f64, mass: f64, s: f64) -> tempfile::TempDir {
         let directory = fixture::movable(&[0.3], &[100.0, 1000.0], &[mass]);
         let file = format!(

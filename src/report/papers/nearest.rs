@@ -1,4 +1,4 @@
-//! A study without a case of the papers: which of their walls is nearest to one of its own.
+//! For a study without a case of the papers: the wall of the papers that is nearest to its own.
 
 use super::super::config::{Config, each_config};
 use super::super::curves::spread;
@@ -8,11 +8,11 @@ use super::super::row::{PLACE, Row};
 use crate::papers::{Printed, Span, paper, printed, scenes};
 use crate::quantities::Column;
 
-/// So many cases are looked at.
+/// How many cases are looked at.
 const LOOKED_AT: usize = 200;
 
-/// Where the papers' numbers are nearest to, and the command that makes their figure; `None` where the
-/// study is none of solitary waves at walls that are fixed or have a spring.
+/// The place of the papers' nearest numbers, and the command that makes their figure. `None` where
+/// the study has no solitary waves at walls that are fixed or have a spring.
 pub fn nearest(data: &Loaded) -> Option<String> {
     let finished: Vec<usize> = data.placed().map(|(at, _)| at).collect();
     let places = spread(&finished, LOOKED_AT);
@@ -24,7 +24,7 @@ pub fn nearest(data: &Loaded) -> Option<String> {
         let own = cases.iter().filter(|(_, config)| text(config, "wall") == Some(&number.scene));
         own.map(|(row, _)| distance(number, row)).min_by(f64::total_cmp)
     };
-    // A number of many stiffnesses together is that of no wall.
+    // A number for many stiffnesses together belongs to no single wall.
     let is_of_a_wall = |number: &&Printed| {
         let has_spring = number.scene != "movable" || number.spring_stiffness_n_per_m.is_some();
         number.wave_height_ratio.is_some() && has_spring
@@ -47,7 +47,7 @@ pub fn nearest(data: &Loaded) -> Option<String> {
     ))
 }
 
-/// A solitary wave at a wall that is upright and fixed, or has a spring.
+/// Whether it is a solitary wave at an upright wall that is fixed, or at a wall with a spring.
 fn is_theirs(config: &Config) -> bool {
     let upright = || config.value("wall_angle_deg") == Some(90.0);
     text(config, "kind") == Some("seawall")
@@ -68,8 +68,8 @@ fn spans(number: &Printed) -> [(&'static Column, Option<Span>); 3] {
     std::array::from_fn(|at| (PLACE[at], spans[at]))
 }
 
-/// By how many times wave, stiffness and mass of a case are off, as logarithms; those of a stiffness, which
-/// reaches over many powers of ten, count least.
+/// How far a case is from a printed one in wave, stiffness and mass, as logarithms of ratios.
+/// Stiffness counts least, as it spans many powers of ten.
 fn distance(number: &Printed, row: &Row) -> f64 {
     let weights = [1.0, 0.2, 0.5];
     let off = |((column, span), weight): ((&Column, Option<Span>), f64)| {

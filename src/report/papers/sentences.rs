@@ -13,7 +13,7 @@ use crate::report::curves::distinct;
 use crate::report::number;
 use crate::report::row::Row;
 
-/// A paragraph of what was compared, one of each kind of number, and one of each reason.
+/// A paragraph on what was compared, one for each kind of number, and one for each reason.
 pub fn sentences(found: &[Found]) -> Vec<String> {
     let mut said = vec![opening(found)];
     let sizes = |scene: &str, s: Option<f64>| {
@@ -47,7 +47,7 @@ pub fn sentences(found: &[Found]) -> Vec<String> {
     said
 }
 
-/// How far the printed numbers are, in a sentence.
+/// How far off the printed numbers are, in a sentence.
 pub fn answer(found: &[Found]) -> String {
     let met = found.iter().filter(|one| one.is_met()).count();
     let sizes = found.iter().filter(|one| one.printed.is_size());
@@ -105,7 +105,7 @@ fn is_or_are(met: usize, all: usize) -> &'static str {
     if met == 1 || all == 1 { "is" } else { "are" }
 }
 
-/// How many of a kind are met, how far off they are as a rule and at worst.
+/// How many numbers of a kind are met, and how far off they are in the median and at worst.
 fn tally(what: &str, found: &[&Found]) -> Option<String> {
     let first = found.first()?;
     let met = found.iter().filter(|one| one.is_met()).count();
@@ -134,10 +134,10 @@ fn tally(what: &str, found: &[&Found]) -> Option<String> {
     Some(text)
 }
 
-/// Why numbers are not met, each reason once, those of most numbers first.
+/// Why numbers are not met. Each reason stands once; the most frequent one comes first.
 fn reasons(found: &[Found]) -> Vec<String> {
     let name = |one: &Found| {
-        // With a fitted factor the law as printed is no reason any more.
+        // With a fitted factor s, the law as printed is no longer a reason.
         let name = one.printed.cause.as_str();
         let fitted = name == "coupling" && one.coupling().is_some_and(|s| s != 1.0);
         if fitted { "fitted" } else { name }

@@ -61,12 +61,12 @@ pub fn tidy(found: &[Found]) -> Table {
     Table::new("papers", "The papers", &header, found.iter().map(row).collect())
 }
 
-/// Six digits: what is computed has no more that mean anything.
+/// Six digits: computed values are no more precise.
 fn digits(value: f64) -> String {
     number::significant(value, 6).to_string()
 }
 
-/// For the page: one line per number and case, the factors s that the study has beside one another.
+/// The page's table: one line per number and case, with the study's factors s side by side.
 pub fn beside(found: &[Found]) -> Table {
     let factors = couplings(found);
     let heads: Vec<String> = match factors.len() {
@@ -100,13 +100,13 @@ pub(super) fn couplings(found: &[Found]) -> Vec<f64> {
     factors
 }
 
-/// What a case was, but for its factor s, so that runs with different ones can be told to belong together.
+/// All values of a case but its factor s: runs that differ only in s belong together.
 fn besides_coupling(found: &Found) -> String {
     let Config { scene, numerics } = found.config;
     let mut scene = scene.clone();
     scene.remove(FORCE_COUPLING.name);
     if found.printed.log10_k_star.is_some() {
-        // Told of many cases: which of them is the worst may differ.
+        // A number for many cases: the worst case may be another one.
         PLACE.iter().for_each(|column| drop(scene.remove(column.name)));
     }
     format!("{scene} {numerics}")
@@ -164,8 +164,8 @@ fn place(found: &Found) -> String {
     parts.join(", ")
 }
 
-/// What else tells a case from others of its study, but for its factor s and what is `told` anyway, as one
-/// writes it: `still water depth = 0.2 m`.
+/// What else tells a case apart, but for its factor s and the columns in `told`: `still water depth
+/// = 0.2 m`.
 pub fn others(row: &Row, told: &[&Column]) -> Vec<String> {
     let part = |part: &str| {
         let (name, _) = part.split_once(" = ")?;
@@ -184,7 +184,7 @@ fn printed(printed: &Printed) -> String {
     format!("{mark}{} {}", printed.value, unit(printed)).trim_end().to_owned()
 }
 
-/// Units that the quantity's own symbol does not tell already.
+/// The unit, unless the quantity's symbol implies it.
 fn unit(printed: &Printed) -> &str {
     if matches!(printed.unit.as_str(), "h" | "½ρgh²") { "" } else { &printed.unit }
 }

@@ -9,7 +9,7 @@ use crate::report::load::Loaded;
 use crate::report::plots::{Axis, Chart, Curve, Entry, Layout, Look, key, lasting};
 use crate::report::row::{Row, label};
 
-/// How far around, over √(h/g).
+/// How far before and after the largest runup, over √(h/g).
 const REACH: f64 = 6.0;
 
 /// √(h/g) of the papers' tank, seconds.

@@ -1,4 +1,4 @@
-//! Fig. 6 of Huang et al. 2019, as far as numbers tell it: the front of a dam break on its way to the wall.
+//! Fig. 6 of Huang et al. 2019, as far as numbers show it: a dam break's front until the wall.
 
 use super::laws::{looks, words};
 use super::{Drawn, Material, drawn};
@@ -8,7 +8,7 @@ use crate::report::plots::{
 };
 use crate::report::row::Row;
 
-/// Readings of the front's place: after this prefix stands the time over √(H/g).
+/// Prefix of readings of the front's place. The time over √(H/g) follows it.
 const FRONT: &str = "front_at_";
 const RITTER: &str = "ritter_front_at_";
 

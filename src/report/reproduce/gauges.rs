@@ -10,10 +10,10 @@ use crate::report::plots::{Axis, Chart, Curve, Entry, Layout, Look, Point, lasti
 use crate::report::row::Row;
 use crate::report::series::History;
 
-/// Pressures at the wall behind a dam break: t√(g/H) and p/(ρgH).
+/// Measured pressures at the wall behind a dam break: t√(g/H) and p/(ρgH).
 const MEASURED: &str = include_str!("../../../data/buchner_2002_dam_break.csv");
 
-/// Points of a panel, at most, of each curve.
+/// Points of each curve in a panel, at most.
 const MOST: usize = 600;
 
 /// One case and what it recorded.
@@ -78,7 +78,7 @@ pub fn drawing(
 }
 
 impl Case<'_> {
-    /// Of the column, or of the still water, m.
+    /// Height of the column, or depth of the still water, m.
     fn height(&self, column: bool) -> Option<f64> {
         self.config.value(if column { "column_height_m" } else { "still_water_depth_m" })
     }
@@ -97,12 +97,12 @@ impl Case<'_> {
     }
 }
 
-/// Every so many points.
+/// Evenly picked points, at most [`MOST`].
 fn thin(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     points.iter().copied().step_by(points.len().div_ceil(MOST).max(1)).collect()
 }
 
-/// Without the highest and the lowest hundredth: an impact would squash what was measured.
+/// The values without the highest and lowest hundredth: an impact would squash the rest.
 fn bulk(points: &[(f64, f64)]) -> Vec<f64> {
     let mut values: Vec<f64> = points.iter().map(|point| point.1).collect();
     values.sort_by(f64::total_cmp);

@@ -1,5 +1,5 @@
-//! Columns of histories over time, one row of panels for each, one column for each factor s: Figs. 4, 7 and
-//! 9 to 12 of Liang et al. 2017, Fig. 15 of Huang et al. 2019.
+//! Columns of histories over time. Each column has a row of panels; each factor s has a column.
+//! Figs. 4, 7 and 9 to 12 of Liang et al. 2017, Fig. 15 of Huang et al. 2019.
 
 use super::laws::{heading, laws, looks, stands, words};
 use super::{Drawn, Material, drawn};
@@ -14,7 +14,7 @@ use crate::report::plots::{
 };
 use crate::report::row::Row;
 
-/// Where the papers' clock starts to show anything, seconds.
+/// The papers' clock from which on curves are drawn, seconds.
 const FROM_S: f64 = 1.5;
 
 /// The curves and marks of one panel.
@@ -89,7 +89,7 @@ fn strip(
         }
         let points = points(data, row, name)?;
         strip.heights.extend(lasting(&points));
-        // One line of the legend stands for the same wall in every column.
+        // The same wall has one line in the legend, whatever its column.
         let label = if law == first { word } else { "" };
         let entry = Entry::line(label, look).keyed(format!("case={}", row.id()));
         strip.curves.push(Curve::through(entry, points));
@@ -117,7 +117,7 @@ fn points(data: &Loaded, row: &Row, name: &str) -> Result<Vec<(f64, f64)>, Repor
     Ok(shifted.filter(|point| point.0 >= FROM_S).collect())
 }
 
-/// Where a printed number stands in a panel.
+/// The place of a printed number in a panel.
 fn mark(found: &Found, name: &str) -> Option<(f64, f64)> {
     let printed = found.printed;
     if printed.quantity == name {
@@ -133,7 +133,7 @@ fn mark(found: &Found, name: &str) -> Option<(f64, f64)> {
     Some((time, printed.value))
 }
 
-/// The time that is printed of a maximum.
+/// The printed time of a maximum.
 fn printed_time(maximum: &Printed) -> Option<f64> {
     let name = format!("{}_time_s", maximum.quantity);
     let same = |other: &&Printed| {

@@ -1,4 +1,4 @@
-//! Columns of panels by the factor s of the wall's law of motion, and words that tell cases apart.
+//! Columns of panels by the factor s of the wall's law of motion, and words to tell cases apart.
 
 use crate::math::lists::different;
 use crate::quantities::summary::{BOUNDARY, FORCE_COUPLING, SCHEME};
@@ -8,7 +8,7 @@ use crate::report::papers::others;
 use crate::report::plots::Look;
 use crate::report::row::{PLACE, Row, label};
 
-/// The factors s of the movable walls, the law as printed first; one without a value where none moves.
+/// The factors s of movable walls; the law as printed comes first. A single `None` if none moves.
 pub fn laws<'a>(rows: impl Iterator<Item = &'a Row>) -> Vec<Option<f64>> {
     let mut factors = distinct(rows.filter(|row| !row.is_fixed()), &FORCE_COUPLING);
     factors.reverse();
@@ -20,7 +20,7 @@ pub fn stands(row: &Row, law: Option<f64>) -> bool {
     row.is_fixed() || law.is_none_or(|law| row.number(&FORCE_COUPLING) == Some(law))
 }
 
-/// What stands above the column of a law.
+/// The heading of a law's column.
 pub fn heading(law: Option<f64>) -> String {
     match law {
         Some(1.0) => "s = 1, the law as printed".to_owned(),
@@ -29,7 +29,7 @@ pub fn heading(law: Option<f64>) -> String {
     }
 }
 
-/// What tells each case from the others, but for its factor s.
+/// What tells each case from the others, apart from its factor s.
 pub fn words(rows: &[&Row]) -> Vec<String> {
     let movable = || rows.iter().copied().filter(|row| !row.is_fixed());
     let differs = |column| distinct(movable(), column).len() > 1;
@@ -57,7 +57,7 @@ pub fn words(rows: &[&Row]) -> Vec<String> {
     rows.iter().map(word).collect()
 }
 
-/// A look for each of these words, the same for the same ones.
+/// A look for each of these words. Equal words have the same look.
 pub fn looks(words: &[String]) -> Vec<Look> {
     let order = different(words);
     let place = |word: &String| order.iter().position(|other| *other == word).unwrap_or(0);

@@ -1,7 +1,7 @@
 //! The figures of the papers, drawn from the studies that they need.
 //!
-//! A [`Recipe`] says which kind of drawing a figure is. Each kind has a file here. What the papers print of
-//! the cases stands in it as markers, and in the table beside it.
+//! A [`Recipe`] says which kind of drawing a figure is. Each kind has a file here. What the papers
+//! print for the cases stands as markers in the drawing, and in a table beside it.
 
 mod around_runup;
 mod front;
@@ -30,19 +30,19 @@ pub struct Reproduced {
     pub figure: Figure,
     /// Printed and computed numbers, one line for each.
     pub tidy: Table,
-    /// The same for the eye.
+    /// The same for the reader.
     pub beside: Table,
-    /// What agrees, what does not, and why; without a printed number of these cases how they were computed.
+    /// What agrees, what does not, and why; or how the cases were computed if none is printed.
     pub sentences: Vec<String>,
 }
 
-/// A drawing and what its caption says of it.
+/// A drawing and its caption.
 struct Drawn {
     drawing: Drawing,
     caption: String,
 }
 
-/// Panels of this outer size, so many in a row; nothing without panels.
+/// Panels of this outer size, so many in a row; `None` without panels.
 fn drawn(charts: Vec<Chart>, layout: Layout, caption: impl Into<String>) -> Option<Drawn> {
     Some(Drawn { drawing: Drawing::filled(charts, layout)?, caption: caption.into() })
 }
@@ -60,23 +60,23 @@ impl<'a> Material<'a> {
         self.studies.iter().flat_map(cases).collect()
     }
 
-    /// Those of which all values are known.
+    /// Cases of which all values are known.
     fn known(&self) -> Vec<(&'a Loaded, &'a Row, &'a Config)> {
         let cases =
             |study: &'a Cases<'a>| study.finished().map(|(row, config)| (study.data, row, config));
         self.studies.iter().flat_map(cases).collect()
     }
 
-    /// What is printed of a case.
+    /// The printed numbers of a case.
     fn of(&self, row: &'a Row) -> impl Iterator<Item = &'a Found<'a>> {
         self.found.iter().filter(move |found| std::ptr::eq(found.row, row))
     }
 }
 
-/// Draws a figure from the output directories of the studies that it needs, in their order.
+/// Draws a figure from the output directories of its studies, which stand in the recipe's order.
 ///
 /// # Errors
-/// Files that cannot be read; cases that do not fill the figure, as when all of them failed.
+/// Files that cannot be read; cases that do not fill the figure, for example if all failed.
 pub fn reproduce(recipe: &Recipe, directories: &[PathBuf]) -> Result<Reproduced, ReportError> {
     let studies: Vec<_> =
         directories.iter().map(|path| Loaded::read(path)).collect::<Result<_, _>>()?;
@@ -142,7 +142,7 @@ fn walls(material: &Material) -> Option<Drawn> {
     Some(Drawn { drawing, caption })
 }
 
-/// Whether a printed number belongs beside a figure: its own, and those of the same cases that it draws.
+/// Whether a printed number belongs beside a figure: its own, or one of the cases drawn.
 fn belongs(recipe: &Recipe, draw: &Draw, found: &Found) -> bool {
     let (printed, name) = (found.printed, found.printed.quantity.as_str());
     let own = printed.paper == recipe.paper && printed.figure == recipe.number;

@@ -1,5 +1,5 @@
-//! Figs. 13 to 15 of Liang et al. 2017: a response against the spring's stiffness, one row of panels for
-//! each mass, one column for each factor s, one curve per wave.
+//! Figs. 13 to 15 of Liang et al. 2017: a response against the spring's stiffness. One row of
+//! panels per mass, one column per factor s, one curve per wave.
 
 use super::laws::{heading, laws, stands};
 use super::{Drawn, Material, drawn};

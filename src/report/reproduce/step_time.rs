@@ -1,5 +1,5 @@
-//! Figs. 4, 9 and 12 of Huang et al. 2019: the time of a step against the number of particles for each
-//! interpolator at walls, and the same over that of improved Shepard.
+//! Figs. 4, 9 and 12 of Huang et al. 2019: the time of a step against the number of particles for
+//! each interpolator at walls. The ratio to the time with improved Shepard is drawn, too.
 
 use super::{Drawn, Material, drawn};
 use crate::math::lists::different;
@@ -11,7 +11,7 @@ use crate::report::plots::{
 };
 use crate::report::row::Row;
 
-/// The interpolator that the others are told over.
+/// Times are compared with those of this interpolator.
 const REFERENCE: &str = "improved-shepard";
 
 pub fn drawing(material: &Material) -> Result<Option<Drawn>, ReportError> {
@@ -60,7 +60,7 @@ fn curves(rows: &[&Row], names: &[&str], y: impl Fn(f64, f64) -> Option<f64>) ->
     names.iter().enumerate().map(curve).collect()
 }
 
-/// Printed ratios at the right end, each once with the name of its interpolator.
+/// Printed ratios at the right end; each stands once with its interpolator's name.
 fn marks(material: &Material, particles: f64) -> Vec<Point> {
     different(material.found.iter().filter_map(|found| {
         let note = found.printed.quantity.strip_prefix("step_time_of_")?.to_owned();

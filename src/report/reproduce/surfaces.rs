@@ -15,10 +15,10 @@ use crate::report::row::Row;
 use crate::report::series::History;
 use crate::theory::solitary_wave::SolitaryWave;
 
-/// One case: its tank, and what it recorded.
+/// One case: its tank, and the records of its gauges.
 struct Case<'a> {
     row: &'a Row,
-    /// Still depth, m, length, m, and gravity, m/s².
+    /// Depth of the still water and length, m, and gravity, m/s².
     tank: [f64; 3],
     gauges: Vec<Gauge>,
     levels: History,
@@ -63,7 +63,7 @@ pub fn drawing(
     Ok(drawn(charts, layout, caption))
 }
 
-/// Words for the legend, with the factor s of walls that move.
+/// Words for the legend, with the factor s of movable walls.
 fn tell_apart(cases: &[Case]) -> Vec<String> {
     let rows: Vec<_> = cases.iter().map(|case| case.row).collect();
     let told = |(word, row): (String, &&Row)| {
@@ -77,7 +77,7 @@ fn tell_apart(cases: &[Case]) -> Vec<String> {
 }
 
 impl<'a> Case<'a> {
-    /// `None` where it has no gauges of levels.
+    /// Reads a case; `None` where it has no level gauges.
     fn read(data: &Loaded, row: &'a Row, config: &Config) -> Result<Option<Case<'a>>, ReportError> {
         let keys = ["still_water_depth_m", "tank_length_m", "gravity_m_per_s2"];
         let [Some(depth), Some(length), Some(gravity)] = keys.map(|key| config.value(key)) else {

@@ -1,11 +1,11 @@
 //! Where the cells of a row end in its text.
 
-/// Where each cell of a row ends: of a large study these are half as long as the text.
+/// Where each cell of a row ends. In a large study these numbers take half as much as the text.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Ends {
-    /// In few bytes each.
+    /// Two bytes each.
     Short(Box<[u16]>),
-    /// Of rows too long for that.
+    /// For rows that are too long for this.
     Long(Box<[usize]>),
 }
 
@@ -16,7 +16,7 @@ impl Default for Ends {
 }
 
 impl Ends {
-    /// Of these ends.
+    /// Stores these ends.
     pub fn of(ends: &[usize]) -> Ends {
         let short: Result<_, _> = ends.iter().map(|&end| u16::try_from(end)).collect();
         short.map_or_else(|_| Ends::Long(ends.into()), Ends::Short)

@@ -1,4 +1,4 @@
-//! The energy budgets, each beside its case's place in the sweep.
+//! The energy budgets, with each case's place in the sweep.
 
 use std::collections::HashMap;
 
@@ -46,7 +46,7 @@ pub fn energy(data: &Loaded) -> Option<Lines<'_>> {
 const NAME: &str = "energy";
 const TITLE: &str = "Energy";
 
-/// A line with the case's place behind its id.
+/// A line with the case's place after its id.
 fn with<'a>(
     id: usize,
     first: &str,

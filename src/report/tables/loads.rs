@@ -1,4 +1,4 @@
-//! What engineers build by: loads on the wall, and what goes over its crest.
+//! What engineers design for: loads on the wall, and water that goes over its crest.
 
 use super::{Field, Lines, fields, over_goda, table, variant};
 use crate::quantities::Column;
@@ -28,14 +28,14 @@ const OVER: [&Column; 5] = [
     &CREST_SPEED,
 ];
 
-/// Force, moment, impulse, rise time and spring force of every finished case, and Goda's formula beside
-/// the force; `None` where no case has a moment.
+/// Force with Goda's formula, moment, impulse, rise time and spring force of every finished case;
+/// `None` where no case has a moment.
 pub fn loads(data: &Loaded) -> Option<Lines<'_>> {
     let columns = columns(data, &LOADS, Some(over_goda(data)));
     table("loads", "Loads on the wall", columns, having(data, &MOMENT_MAX)).filled()
 }
 
-/// What went over the crest; `None` where no wall has one.
+/// The water that goes over the crest; `None` where no wall has a crest.
 pub fn overtopping(data: &Loaded) -> Option<Lines<'_>> {
     let columns = columns(data, &OVER, None);
     table("overtopping", "Over the crest", columns, having(data, &OVERTOPPING_VOLUME)).filled()

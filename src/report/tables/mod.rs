@@ -25,10 +25,10 @@ use crate::quantities::{Column, Quantity};
 pub use readings::across;
 pub use table::{Line, Lines, Table};
 
-/// A column of a table: its name, and what it has of a row, which stands at a place in the summary.
+/// A column of a table: its name, and its text for the row at a place in the summary.
 type Field<'a> = (&'static str, Box<dyn Fn(usize, &Row) -> String + 'a>);
 
-/// Columns of the summary, with every digit: only what is for the eye is rounded, and only once.
+/// Columns of the summary, with every digit: numbers are rounded once, for the reader alone.
 fn fields<'a>(columns: &[&'static Column]) -> Vec<Field<'a>> {
     let field = |&column: &&'static Column| -> Field<'a> {
         (column.name, Box::new(|_, row| row.cell(column)))
@@ -36,13 +36,13 @@ fn fields<'a>(columns: &[&'static Column]) -> Vec<Field<'a>> {
     columns.iter().map(field).collect()
 }
 
-/// What tells runs of the same wave and wall apart, where these rows need it.
+/// The column that tells runs of the same wave and wall apart, if these rows need it.
 fn variant<'a>(mut rows: impl Iterator<Item = &'a Row>) -> Option<Field<'static>> {
     let is_told = rows.any(|row| !row.variant.is_empty());
     is_told.then(|| -> Field { (VARIANT, Box::new(|_, row| row.variant.to_string())) })
 }
 
-/// The force over Goda's, at an upright wall; empty elsewhere.
+/// The force over Goda's at an upright wall; empty at other walls.
 fn over_goda(data: &Loaded) -> Field<'_> {
     let settings = Settings::of(data);
     let over = move |place, row: &Row| plain(settings.at(place).and_then(|at| at.over(row)));
@@ -95,7 +95,7 @@ fn summary(data: &Loaded) -> Lines<'_> {
         &RUNUP_ERROR,
         &DISPLACEMENT_ERROR,
     ]);
-    // Maxima of the whole run, where the first impact does not stand for them.
+    // Maxima of the whole run, if some case needs them in place of the first impact's.
     if data.finished().any(|row| row.regular || row.number(&FIRST_FORCE_MAX).is_none()) {
         columns.extend(fields(&[&FORCE_MAX, &RUNUP_MAX, &FORCE_MAX_ERROR, &RUNUP_MAX_ERROR]));
     }
@@ -116,7 +116,7 @@ fn health(data: &Loaded) -> Lines<'_> {
     table("health", "Health", columns.collect(), data.placed())
 }
 
-/// The first of the cases that failed, and why.
+/// The first failed cases, and why they failed.
 pub fn failed(data: &Loaded, most: usize) -> Lines<'_> {
     let mut columns = fields(&[&[&CASE_ID][..], &PLACE].concat());
     columns.extend(variant(data.failed()));
@@ -168,7 +168,7 @@ fn cells(row: &Row, columns: &[&Column]) -> Vec<String> {
     columns.iter().map(|column| row.cell(column)).collect()
 }
 
-/// A cell of what may not be there.
+/// A cell whose value may be missing.
 pub(super) fn plain<T: ToString>(value: Option<T>) -> String {
     value.map(|value| value.to_string()).unwrap_or_default()
 }
@@ -227,7 +227,7 @@ mod tests {
         let tables = read(fixture::fixed().path()).unwrap();
         let table = named(&tables, "fixed-wall");
         assert_eq!(table.rows.len(), 6);
-        // F* = 1 + 3.9 H/h + 0.1 at a measured height of 0.985 · 0.3, over 1.7935 by Goda's formula.
+        // F* = 1 + 3.9 H/h + 0.1, for a measured height of 0.985 · 0.3, over Goda's 1.7935.
         let over: f64 = table.rows[2].last().unwrap().parse().unwrap();
         let goda = 1.0 + 1.1 * 0.2955 * (2.0 + 1.5 * 0.2955);
         assert!((over - 2.27 / goda).abs() < 1e-9, "{over}");

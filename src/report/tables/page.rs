@@ -1,5 +1,5 @@
-//! A table as the page shows it: only columns that tell anything, error bars beside their values,
-//! bounds as such, no more digits than one reads.
+//! A table as the page shows it: without empty columns, with error bars beside their values, with
+//! marks for lower bounds, and with few digits.
 
 use super::{Table, VARIANT};
 use crate::quantities::summary::{DOUBTFUL, FORCE_COUPLING, STATUS};
@@ -8,12 +8,12 @@ use crate::report::number;
 use crate::report::row::PLACE;
 use crate::report::spoken::all_spoken;
 
-/// Columns that tell nothing where all cases have the same in them.
+/// Columns that say nothing if all cases have the same value in them.
 const ALIKE: [&Column; 2] = [&STATUS, &FORCE_COUPLING];
 
 impl Table {
-    /// The table without empty columns, with bars beside values (`2.41 ± 0.03`), bounds as such
-    /// (`≥ 2.41 − 0.03`) and numbers cut to a few digits.
+    /// The table without empty columns, with bars beside values (`2.41 ± 0.03`), with marks for
+    /// bounds (`≥ 2.41 − 0.03`), and with numbers cut to a few digits.
     pub fn for_page(&self) -> Table {
         let mut table = self.clone();
         table.judge();
@@ -34,7 +34,7 @@ impl Table {
             && self.rows.iter().all(|row| row[at] == self.rows[0][at] && row[at] != DOUBTFUL.name)
     }
 
-    /// Puts the flag of a doubtful case into the cell of its status, as the terminal has it.
+    /// Writes `doubtful` in place of the status of doubtful cases, as the terminal does.
     fn judge(&mut self) {
         let place = |column: &Column| self.header.iter().position(|known| *known == column.name);
         let (Some(status), Some(flag)) = (place(&STATUS), place(&DOUBTFUL)) else { return };
@@ -45,7 +45,7 @@ impl Table {
         }
     }
 
-    /// Puts error bar and flag of a bound into the cells of their value, and empties theirs.
+    /// Moves the error bar and the bound's flag into the value's cell, and empties theirs.
     fn join(&mut self, column: &Column) {
         let place =
             |name: Option<&str>| self.header.iter().position(|known| Some(&**known) == name);
@@ -66,7 +66,7 @@ impl Table {
     }
 }
 
-/// A cell with the digits of its column. What [`Table::join`] has written is no number, and stays.
+/// A cell with the digits of its column. What [`Table::join`] has written is no number and stays.
 fn brief(name: &str, cell: &str) -> String {
     let column = named(name);
     if name == VARIANT {
@@ -137,7 +137,7 @@ mod tests {
         assert_eq!(cells, ["≥ 2.41 − 0.03", "≥ 2.414", "2.414"]);
     }
 
-    /// Rounded to four decimals first, and then to their bars, these came out as 0.01510 and 2.263.
+    /// These came out as 0.01510 and 2.263: they were rounded to four decimals, then to their bars.
     #[test]
     fn a_value_is_rounded_once() {
         let row = |value: f64, bar: f64| {
@@ -158,7 +158,7 @@ mod tests {
         assert_eq!(told, at(&table.for_page())[0], "as the terminal writes it");
     }
 
-    /// The story: a wave without a first impact had its bars in the terminal's table and none in the page's.
+    /// The story: a wave without a first impact had bars in the terminal, but not on the page.
     #[test]
     fn maxima_of_the_whole_run_have_their_bars() {
         let row = Row::default().with(&CASE_ID, "a").with(&STATUS, "ok");
@@ -170,7 +170,7 @@ mod tests {
         assert_eq!(page.rows[0][1..], ["1.116 ± 0.003", "0.088 ± 0.011"]);
     }
 
-    /// Beside failed cases the page had doubtful ones as "ok".
+    /// If there were failed cases, the page had doubtful ones as "ok".
     #[test]
     fn a_doubtful_case_is_not_ok() {
         let row = |cells: [&str; 3]| cells.map(str::to_owned).to_vec();

@@ -1,5 +1,5 @@
-//! What each case has a file of its own for: readings besides the summary's columns, such as arrival times,
-//! plateaus, gaps and decays, and the largest pressures up the wall.
+//! Tables from the files of single cases: readings that the summary has no column for, such as
+//! arrival times, plateaus, gaps and decays, and the largest pressures up the wall.
 
 use std::collections::BTreeMap;
 
@@ -12,10 +12,10 @@ use crate::report::load::Loaded;
 use crate::report::number;
 use crate::report::series::{Pressed, Reading};
 
-/// The page shows so many cases side by side; more than that stand one below the other.
+/// So many cases stand side by side on the page; more stand one below the other.
 const SIDE_BY_SIDE: usize = 6;
 
-/// All readings of finished cases, one per line, to every digit; `None` where there are none.
+/// All readings of finished cases, one per line, with every digit; `None` where there are none.
 pub fn readings(data: &Loaded) -> Option<Lines<'_>> {
     let cells = |one: Reading| vec![one.name, plain(one.value), one.unit];
     let header = [CASE_ID.name, "case", "reading", "value", "unit"];
@@ -23,7 +23,7 @@ pub fn readings(data: &Loaded) -> Option<Lines<'_>> {
     Lines::new("readings", "Readings", &header, rows).filled()
 }
 
-/// The largest pressures at every height of all walls, likewise.
+/// The largest pressures at every height of all walls; `None` where there are none.
 pub fn envelope(data: &Loaded) -> Option<Lines<'_>> {
     let cells = |at: Pressed| {
         let numbers = [Some(at.height_m), Some(at.pressure_max_pa), at.first_pressure_max_pa];
@@ -34,7 +34,7 @@ pub fn envelope(data: &Loaded) -> Option<Lines<'_>> {
     Lines::new("pressure_envelope", "Pressure envelope", &header, rows).filled()
 }
 
-/// A line for all that the own file of a finished case holds, behind its id and words.
+/// A line for each entry in the file of a finished case, after its id and words.
 fn of_cases<'a, T>(
     data: &'a Loaded,
     read: fn(&Loaded, &str) -> Result<Vec<T>, ReportError>,
@@ -69,7 +69,7 @@ pub fn across(long: &Table) -> Table {
     cases.dedup();
     let names = different(names);
     let cell = |case: Name, name: Name| values.get(&(case, name)).cloned().unwrap_or_default();
-    // One case needs no name; several without words go by their ids.
+    // A single case needs no name. Several without words go by their ids.
     let case_name = |(id, words): &Name| match (cases.len(), words.is_empty()) {
         (1, _) => "value".to_owned(),
         (_, true) => (*id).to_owned(),

@@ -1,4 +1,4 @@
-//! A table and its text. That of a large study is never held whole: its rows are made as they are written.
+//! A table and its text. A large table is never held whole: its rows are made as they are written.
 
 use std::fs::File;
 use std::path::Path;
@@ -17,9 +17,9 @@ pub struct Table {
     pub header: Vec<String>,
     /// Cells, row by row.
     pub rows: Vec<Vec<String>>,
-    /// How many rows the file has besides.
+    /// How many more rows the file has.
     pub left: usize,
-    /// Whether these are not the file's first rows but those of a selection of cases.
+    /// Whether these rows are a selection of cases rather than the file's first rows.
     pub is_part: bool,
 }
 
@@ -31,7 +31,7 @@ impl Table {
         Table { name, title, header, rows, ..Table::default() }
     }
 
-    /// The same as the part of a larger one that it is.
+    /// The table, marked as part of a larger one.
     pub fn part_of(self, whole: &Table) -> Table {
         let left = (whole.rows.len() + whole.left).saturating_sub(self.rows.len());
         Table { left, is_part: true, ..self }
@@ -50,10 +50,10 @@ impl Table {
     }
 }
 
-/// A row, or why a file that it is made from cannot be read.
+/// A row, or why a source file cannot be read.
 pub type Line = Result<Vec<String>, ReportError>;
 
-/// A table that is still to be made.
+/// A table whose rows are made one by one.
 pub struct Lines<'a> {
     /// The table without its rows.
     pub head: Table,
@@ -71,7 +71,7 @@ impl<'a> Lines<'a> {
         Lines { head: Table::new(name, title, header, Vec::new()), rows: Box::new(rows) }
     }
 
-    /// The same; `None` where there are no rows.
+    /// The same table; `None` where there are no rows.
     pub fn filled(self) -> Option<Lines<'a>> {
         let mut rows = self.rows.peekable();
         rows.peek()?;

@@ -29,7 +29,7 @@ fn differences_are_judged_by_both_bars() {
     assert_eq!(one.differences[2], None, "no displacement");
 }
 
-/// The story: a study without bars was told to differ by more than "both error bars together".
+/// The story: a study without bars was said to differ by more than "both error bars together".
 #[test]
 fn a_case_without_a_bar_is_held_against_the_other_bar_alone() {
     let row = || Row::default().with(&FIRST_FORCE_MAX, 2.0);
@@ -39,7 +39,7 @@ fn a_case_without_a_bar_is_held_against_the_other_bar_alone() {
     assert_eq!(of(0, 1).bar(), Some(0.1));
 }
 
-/// The story: a run that was too short told X* ≥ 0.35, and a longer one 0.89 was told to be 153 % off.
+/// The story: a short run gave X* ≥ 0.35, and the 0.89 of a longer run was called 153 % off.
 #[test]
 fn a_lower_bound_short_of_the_other_value_tells_no_difference() {
     let row = |displacement: f64, bound: bool| {
@@ -56,7 +56,7 @@ fn a_lower_bound_short_of_the_other_value_tells_no_difference() {
     assert_eq!(told(row(0.2, true), row(0.3, true)), (Some(50.0), Some(false)));
 }
 
-/// The story: a caisson was held against a fixed wall, and the difference was told "at m = 60000 kg/m".
+/// The story: a caisson was compared with a fixed wall, and the words were "at m = 60000 kg/m".
 #[test]
 fn what_differs_stands_in_the_words_twice() {
     let row = || Row::default().with(&WAVE_HEIGHT_RATIO, 0.3);
@@ -67,7 +67,7 @@ fn what_differs_stands_in_the_words_twice() {
     assert_eq!(words(heavy(), heavy()), "H/h = 0.3, m = 60000 kg/m");
 }
 
-/// The story: the third wave of a train was held against the fourth of the same train on finer particles.
+/// The story: the third wave of a train was compared with the fourth, found with finer particles.
 #[test]
 fn regular_waves_are_compared_by_their_whole_runs() {
     let mut row = Row::default().with(&FIRST_FORCE_MAX, 1.16).with(&FORCE_MAX, 1.3);
