@@ -59,7 +59,7 @@ pub fn write(out_dir: &Path) -> Result<Written, ReportError> {
     write_with(out_dir, None, &[], &Omitted::default())
 }
 
-/// Like [`write()`]. A Froude scale adds tables in the units of a prototype. Figures for print have
+/// Writes the same. A Froude scale adds tables in the units of a prototype. Figures for print have
 /// the widths of a journal's column (84 mm) and page (174 mm). Files in `omitted` are left out.
 pub fn write_with(
     out_dir: &Path,

@@ -1,5 +1,5 @@
-//! What the page's script works with, beside the tables that it reads from the page: which values
-//! of which swept keys a case has, its history for the eye, and its scene as a file.
+//! Data for the page's script, beside the tables that it reads from the page: each case's values of
+//! swept keys, its history as a drawing, and its scene as a file.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -16,10 +16,10 @@ use crate::report::row::PLACE;
 use crate::report::scene_file::SceneFile;
 use crate::report::study::Key;
 
-/// All histories together, bytes.
+/// The size of all histories together, bytes.
 const ROOM: usize = 1_400_000;
 
-/// The data as JSON that may stand inside a script's tags.
+/// The data as JSON that may stand inside script tags.
 pub fn data(loaded: &Loaded, file: Option<&SceneFile>) -> Result<String, ReportError> {
     let ids: Vec<_> = loaded.rows.iter().map(|row| row.id()).collect();
     let keys: Vec<Value> = swept(loaded).iter().map(key).collect();
@@ -34,7 +34,7 @@ pub fn data(loaded: &Loaded, file: Option<&SceneFile>) -> Result<String, ReportE
     Ok(value.to_string().replace('<', "\\u003c"))
 }
 
-/// What was swept; without a manifest wave, stiffness and mass.
+/// The swept keys; without a manifest wave, stiffness and mass.
 pub fn swept(loaded: &Loaded) -> Cow<'_, [Key]> {
     if !loaded.keys.is_empty() {
         return Cow::from(&loaded.keys);
@@ -45,7 +45,7 @@ pub fn swept(loaded: &Loaded) -> Cow<'_, [Key]> {
 }
 
 /// A key: its name, its heading, its values as in a file and as shown, and the place of each row's
-/// among them, -1 for none.
+/// value among them. -1 stands for no value.
 fn key(key: &Key) -> Value {
     let mut values: Vec<_> = key.cells.different().filter(|cell| !cell.is_empty()).collect();
     let rising = |cell: &&str| cell.parse::<f64>().unwrap_or(f64::INFINITY);
@@ -64,7 +64,7 @@ fn key(key: &Key) -> Value {
     })
 }
 
-/// The different texts of scene files, and which of them each row has; -1 where it has none.
+/// The different texts of scene files, and which one each row has; -1 where it has none.
 fn scenes(loaded: &Loaded, file: Option<&SceneFile>) -> Value {
     let Some(file) = file else { return Value::Null };
     let mut texts: Vec<String> = Vec::new();
@@ -80,8 +80,8 @@ fn scenes(loaded: &Loaded, file: Option<&SceneFile>) -> Value {
     json!({ "texts": texts, "at": at })
 }
 
-/// The histories of finished cases, filmed ones first, as long as there is room; and whether there
-/// was too little.
+/// The histories of finished cases while there is room, filmed cases first, and whether there was
+/// too little room.
 fn histories(loaded: &Loaded) -> Result<(Value, bool), ReportError> {
     let mut histories = serde_json::Map::new();
     let mut room = ROOM;

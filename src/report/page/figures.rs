@@ -1,5 +1,5 @@
-//! The figures' sections. Figures of a single panel that follow one another stand side by side, and
-//! a lone one beside its caption: a page is three panels wide.
+//! The figures' sections. A page is three panels wide. Single-panel figures in succession stand
+//! side by side. A lone one stands beside its caption.
 
 use super::section;
 use crate::report::plots::{Figure, Place};

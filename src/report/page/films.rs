@@ -1,5 +1,5 @@
-//! The films of a study: stills of each, a link to its page, and the film itself inside this page
-//! as long as that stays small.
+//! The films of a study: stills of each and a link to its page. The film itself is inside this page
+//! as long as the page stays small.
 
 use std::collections::HashMap;
 use std::path::Path;
@@ -10,8 +10,8 @@ use crate::report::load::{Loaded, read_records};
 use crate::report::markup::escape;
 use crate::report::row::Row;
 
-/// The films as one section's content, with as many of them inside as there is room for, bytes;
-/// `None` where there are none.
+/// The content of the section on films, with as many films inside as `room` allows, bytes; `None`
+/// where there are none.
 pub fn films(data: &Loaded, mut room: usize) -> Option<String> {
     let filmed: Vec<_> = data.finished().filter(|row| data.has_film(row)).collect();
     if filmed.is_empty() {
@@ -28,7 +28,7 @@ pub fn films(data: &Loaded, mut room: usize) -> Option<String> {
     ))
 }
 
-/// Why cases were filmed, by their ids, where a sweep chose them. A page can do without.
+/// Why cases were filmed, by id, if a sweep chose them. A page can do without the reasons.
 fn reasons(directory: &Path) -> HashMap<String, String> {
     let records = read_records(&directory.join("films/reasons.csv"), false);
     let records = records.map_or_else(|_| Vec::new(), |(_, records)| records);
@@ -36,14 +36,14 @@ fn reasons(directory: &Path) -> HashMap<String, String> {
     records.iter().filter_map(told).collect()
 }
 
-/// The stills, what is seen and why it was filmed, and the film for the script.
+/// The stills, the case, the reason for the film, and the film for the script.
 fn figure(data: &Loaded, row: &Row, reason: Option<&String>, room: &mut usize) -> String {
     let id = escape(row.id());
     let words = escape(&row.title());
     let why = reason.map_or_else(String::new, |reason| format!(" ({})", escape(reason)));
     let page = data.film(row, ".html").unwrap_or_default();
     let film = embedded(&page, &id, room);
-    // What it was filmed for is what is seen of it.
+    // The stills show what the case was filmed for.
     let is_for = |what: &str| reason.is_some_and(|reason| reason.contains(what));
     let first = match data.film(row, "-highest.svg") {
         Some(_) if is_for("highest runup") && is_for("largest force") => {
@@ -65,8 +65,8 @@ fn figure(data: &Loaded, row: &Row, reason: Option<&String>, room: &mut usize) -
     )
 }
 
-/// A film's page as data, without the still that it shows where scripts are off; nothing where
-/// there is no room.
+/// A film's page as data, without the still that is shown where scripts are off. Empty where there
+/// is no room.
 fn embedded(page: &str, id: &str, room: &mut usize) -> String {
     let page = match (page.find("<noscript>"), page.find("</noscript>")) {
         (Some(start), Some(end)) if start < end => page[..start].to_owned() + &page[end + 11..],

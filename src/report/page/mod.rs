@@ -1,8 +1,8 @@
-//! The page: one file that opens from disk, with answers, figures, films and tables, style and
-//! script inside. It is whole without its script.
+//! The page: one file that opens from disk, with answers, figures, films and tables. Style and
+//! script are inside. It is complete without its script.
 //!
-//! [`answers`] are generated sentences. `data` is what the script works with, `figures`, `films` and
-//! `provenance` are sections. The script is in `script/`, a file to each of its tasks.
+//! [`answers`] holds generated sentences. `data` is what the script works with. `figures`, `films`
+//! and `provenance` are sections. The script is in `script/`, one file per task.
 
 mod answers;
 mod data;
@@ -36,13 +36,13 @@ const SCRIPT: [&str; 5] = [
     include_str!("script/start.js"),
 ];
 
-/// Rows of a table that the page shows; the files have all.
+/// How many rows of a table the page shows; the files have all.
 pub const MOST_ROWS: usize = selection::WHOLE;
 
-/// A page that holds films has at most so many bytes, about; what does not fit is linked.
+/// The size of a page with films, bytes, roughly. Further films are linked.
 const MOST: usize = 4_700_000;
 
-/// The whole page: sentences of all cases, tables and figures of those that are shown.
+/// The whole page: sentences on all cases, tables and figures of the shown ones.
 pub fn page(
     [data, shown]: [&Loaded; 2],
     figures: &[Figure],
@@ -95,7 +95,7 @@ fn section(body: &mut String, title: &str, content: &str) {
         .expect("a string grows");
 }
 
-/// The name, the answers, and the place of the script's bar.
+/// The name, the answers, and the place for the script's bar.
 fn head(
     body: &mut String,
     [data, shown]: [&Loaded; 2],
@@ -134,18 +134,18 @@ fn tabled(body: &mut String, data: &Loaded, tables: &[Table]) {
     }
 }
 
-/// What stands before the table of cases.
+/// The text before the table of cases.
 const BARS: &str = "<p>± is the estimated error bar, where bars were asked for. ≥ is a lower bound: \
     the wall was still moving when the run ended, and the bar behind it can only lower it. A bold number \
     of stops says how often the wall came back onto its stop; the load of that is in no maximum.</p>";
 
-/// What stands before the table of the prototype.
+/// The text before the prototype's table.
 const PROTOTYPE: &str = "<p>By Froude's law, with the gravity and the density of the tank: lengths grow by \
     the scale, times by its root, pressures by the scale, forces and volumes per metre by its square, moments \
     per metre by its cube, discharges per metre by its power of 1.5. Viscosity, air and the water's compression do not scale so.</p>";
 
-/// The largest gaps of all finished cases: of the force where it is largest, as elsewhere it touches
-/// no number that is quoted.
+/// The largest gaps of all finished cases. The force's gap counts only where the force is largest:
+/// elsewhere it touches no quoted number.
 fn health_line(data: &Loaded) -> String {
     let numbers = |column| data.finished().filter_map(move |row| row.number(column));
     let largest = |column| numbers(column).map(f64::abs).max_by(f64::total_cmp);

@@ -15,7 +15,7 @@ use crate::report::markup::escape;
 use crate::report::number::{in_powers, plain, significant};
 use crate::report::tables::Table;
 
-/// What the cases cost; `None` where no case says.
+/// What the cases cost; `None` where no case has the numbers.
 pub fn cost(data: &Loaded) -> Option<String> {
     let all = |column| data.finished().filter_map(|row| row.number(column)).collect::<Vec<f64>>();
     let times = all(&WALL_TIME);
@@ -57,7 +57,7 @@ fn number(value: &Value, name: &str) -> Option<f64> {
     value.get(name)?.as_f64()
 }
 
-/// Cases per hour, companions left out, over the time of all sessions that have come to an end.
+/// Cases per hour, without companions, over the time of all sessions; empty if one was killed.
 fn pace(data: &Loaded) -> Option<String> {
     let seconds: f64 = sessions(data).iter().filter_map(|one| number(one, "wall_time_s")).sum();
     let killed = sessions(data).iter().any(|one| number(one, "wall_time_s").is_none());
@@ -67,7 +67,7 @@ fn pace(data: &Loaded) -> Option<String> {
     (seconds > 0.0 && !killed).then(|| format!(" That was {told} {cases} per hour."))
 }
 
-/// How busy each rank was, over the sessions that have told it with as many ranks as the last one.
+/// How busy each rank was, in reporting sessions with as many ranks as the last one.
 fn loads(data: &Loaded) -> Option<String> {
     let told = sessions(data)
         .iter()
@@ -111,10 +111,10 @@ fn loads(data: &Loaded) -> Option<String> {
     ))
 }
 
-/// Ranks that the page shows.
+/// How many ranks the page shows.
 const MOST_RANKS: usize = 64;
 
-/// How many steps sharing spared.
+/// How many steps shared trunks saved.
 fn saved(data: &Loaded) -> Option<String> {
     let sum = |name: &str| -> f64 {
         let read = |session: &Value| session.get("savings")?.get(name)?.as_f64();
@@ -127,7 +127,7 @@ fn saved(data: &Loaded) -> Option<String> {
     })
 }
 
-/// The manifest as a list, its sessions a line each, and the sweep file as written.
+/// The manifest as a list, with a line for each session, and the sweep file as written.
 pub fn provenance(manifest: &Value) -> String {
     let mut lines = Vec::new();
     for (name, value) in manifest.as_object().into_iter().flatten() {

@@ -74,7 +74,7 @@ fn an_interrupted_sweep_says_how_many_cases_are_left() {
     assert!(page_of(&directory).contains("11 finished, 1 failed, 3 left to run."));
 }
 
-/// The story: one particle that had left the tank was told as "1 particles were lost".
+/// The story: one particle that had left the tank was written as "1 particles were lost".
 #[test]
 fn one_lost_particle_is_none_of_many() {
     let (_directory, mut data) = fixture::read(fixture::fixed());

@@ -1,21 +1,21 @@
-//! Histories for the eye: few points of each curve, as text that a script reads back.
+//! Histories as drawings: few points of each curve, as text that a script reads back.
 
 use crate::math::lists::ends;
 use crate::quantities::history::{DISPLACEMENT, FORCE, RUNUP};
 use crate::report::series::History;
 
-/// Points are dropped as long as the curve stays within this share of its height; wider where
-/// more than [`MOST`] points would be left.
+/// Points are dropped if the curve stays within this share of its height. The share grows if more
+/// than [`MOST`] points are left.
 const FINEST: f64 = 1.0 / 400.0;
 /// Points of a curve.
 const MOST: usize = 110;
-/// Twelve bits to a number, six to a letter. None of the letters means anything to HTML or JSON.
+/// A number has twelve bits, a letter six. No letter has a meaning in HTML or JSON.
 const LEVELS: f64 = 4095.0;
 const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 
-/// The curves of one case, each as its symbol, its lowest and highest value and its points, after
-/// the first and the last time, all with spaces between them. Curves that hold one value are left
-/// out; empty where none is left.
+/// The curves of one case as text with spaces. The first and the last time come first. Then each
+/// curve has its symbol, lowest and highest value, and points. Curves with one single value are
+/// left out; the text is empty where none is left.
 pub fn history(history: &History) -> String {
     let drawn = [(&FORCE, "F*"), (&RUNUP, "R*"), (&DISPLACEMENT, "X*")];
     let curves = drawn.map(|(column, symbol)| (symbol, history.points(column.name)));
@@ -38,7 +38,7 @@ fn moves(points: &[(f64, f64)]) -> bool {
     points.iter().any(|point| point.1 != points[0].1) && points.iter().any(|p| p.0 > points[0].0)
 }
 
-/// The points without which the curve would be another, after Ramer, Douglas and Peucker.
+/// The points that keep the curve's shape, by Ramer, Douglas and Peucker.
 fn thinned(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let mut off = FINEST;
     loop {
@@ -51,7 +51,7 @@ fn thinned(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     }
 }
 
-/// Adds the end of a stretch and what in between is farther from its chord than `off`.
+/// Adds the end of a stretch, and points within it farther from its chord than `off`.
 fn keep(points: &[(f64, f64)], from: usize, to: usize, off: f64, kept: &mut Vec<usize>) {
     let ((t0, v0), (t1, v1)) = (points[from], points[to]);
     let chord = |time: f64| v0 + (v1 - v0) * (time - t0) / (t1 - t0).max(1e-12);

@@ -5,7 +5,7 @@ use crate::quantities::Column;
 use crate::report::number;
 use crate::report::row::Row;
 
-/// Rising values: all of them where they are few, or else both ends and how many there are.
+/// Rising values: all if they are few, or else both ends and their number.
 pub fn range(values: &[f64], unit: &str) -> String {
     let space = if unit.is_empty() { "" } else { " " };
     let words: Vec<_> = values.iter().map(|value| number::plain(*value)).collect();
@@ -17,16 +17,16 @@ pub fn range(values: &[f64], unit: &str) -> String {
     }
 }
 
-/// Keeps a number on one line with its unit, its bar and its name.
+/// Keeps a number on one line with its unit, its bar and its symbol.
 pub fn unbroken(text: &str) -> String {
     let mut text = text.replace(" = ", "\u{a0}=\u{a0}").replace(" ± ", "\u{a0}±\u{a0}");
     for unit in ["%", "°", "N/m", "kg/m", "kN", "mm"] {
         text = text.replace(&format!(" {unit}"), &format!("\u{a0}{unit}"));
     }
-    // The depth h is a unit where nothing but a word's end follows.
+    // The depth h is a unit if only a word's end follows.
     for end in [" ", ",", ".", ")"] {
         text = text.replace(&format!(" h{end}"), &format!("\u{a0}h{end}"));
-        // Letters that are words, too: units behind digits alone.
+        // These letters can be words, too. They are units only after a digit.
         for (unit, digit) in
             ["m", "s"].into_iter().flat_map(|unit| (0..10).map(move |digit| (unit, digit)))
         {
@@ -37,7 +37,7 @@ pub fn unbroken(text: &str) -> String {
     text
 }
 
-/// `F* = 3.92 ± 0.04`, and `X* ≥ 3.1` for a lower bound.
+/// `F* = 3.92 ± 0.04`, or `X* ≥ 3.1` for a lower bound.
 pub fn result(symbol: &str, row: &Row, column: &Column) -> Option<String> {
     let value = row.number(column)?;
     let error = row.error(column).unwrap_or(0.0);
@@ -48,7 +48,7 @@ pub fn result(symbol: &str, row: &Row, column: &Column) -> Option<String> {
     })
 }
 
-/// `at H/h = 0.5, k = 10 N/m`; nothing where there is one case only.
+/// `at H/h = 0.5, k = 10 N/m`; empty for a single case.
 pub fn at(row: &Row) -> String {
     let words = row.words();
     if words.is_empty() { words } else { format!(" at {words}") }

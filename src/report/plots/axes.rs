@@ -16,20 +16,20 @@ pub struct Axis {
     low: f64,
     high: f64,
     spread: Spread,
-    /// Places with words.
+    /// Places with a label.
     pub ticks: Vec<Tick>,
-    /// Places with a small stroke alone.
+    /// Places with only a small stroke.
     pub minor: Vec<f64>,
 }
 
 impl Axis {
-    /// An axis for the given values with about `ticks` ticks and a little air at both ends;
+    /// An axis for the given values with about `ticks` ticks and a small margin at both ends;
     /// `None` without values.
     pub fn around(values: impl Iterator<Item = f64>, ticks: f64) -> Option<Axis> {
         Axis::even(values, ticks, 0.05)
     }
 
-    /// Likewise, ending exactly at the lowest and highest value.
+    /// An axis that ends exactly at the lowest and highest value.
     pub fn within(values: impl Iterator<Item = f64>, ticks: f64) -> Option<Axis> {
         Axis::even(values, ticks, 0.0)
     }
@@ -38,7 +38,7 @@ impl Axis {
         let (low, high) = ends(values.filter(|value| value.is_finite()))?;
         let least = 1e-6_f64.max(0.02 * low.abs().max(high.abs()));
         let span = high - low;
-        // One value stands in the middle of an axis that ends at half of it and half as much again.
+        // A single value stands in the middle: the axis goes from 0.5 to 1.5 times it.
         let lone = if high.abs() > least { 0.5 * high.abs() } else { 0.5 };
         let margin = if span < least { lone } else { air * span };
         let (low, high) = (low - margin, high + margin);
@@ -46,7 +46,7 @@ impl Axis {
         Some(Axis { low, high, spread: Spread::Even, ticks, minor: Vec::new() })
     }
 
-    /// A logarithmic axis for the given values; those that are not above 0 have no place on it.
+    /// A logarithmic axis for the given values. Values that are not above 0 have no place on it.
     pub fn logarithmic(values: impl Iterator<Item = f64>) -> Option<Axis> {
         let (low, high) = ends(values.filter(|value| value.is_finite() && *value > 0.0))?;
         let margin = libm::pow(high / low, 0.05).max(1.26);
@@ -63,12 +63,12 @@ impl Axis {
         Axis { low: -0.5, high, spread: Spread::Even, ticks, minor: Vec::new() }
     }
 
-    /// Whether a value has a place on it.
+    /// Whether a value has a place on the axis.
     pub fn holds(&self, value: f64) -> bool {
         value.is_finite() && (self.spread == Spread::Even || value > 0.0)
     }
 
-    /// How far along the axis a value lies: 0 at its start and 1 at its end, and no farther.
+    /// How far along the axis a value lies: 0 at its start, 1 at its end, and never beyond.
     pub fn share(&self, value: f64) -> f64 {
         let along = match self.spread {
             Spread::Even => (value - self.low) / (self.high - self.low),
@@ -87,7 +87,7 @@ mod tests {
     fn one_value_still_makes_an_axis() {
         let axis = Axis::around([3.0].into_iter(), 5.0).unwrap();
         assert!(axis.low < 3.0 && axis.high > 3.0 && axis.ticks.len() > 3);
-        // The story: of a wave of 0.1 the axis went from -0.4 to 0.6, and of a force of 30 from 27 to 33.
+        // The story: a wave of 0.1 had an axis from -0.4 to 0.6, a force of 30 one from 27 to 33.
         for value in [0.1, -0.3, 3.0, 30.0] {
             let axis = Axis::around([value].into_iter(), 5.0).unwrap();
             assert!(axis.low * axis.high > 0.0 && axis.ticks.len() > 3, "{axis:?}");

@@ -1,4 +1,4 @@
-//! What the colours of a map are worth.
+//! The colour bar: which values the colours of a map stand for.
 
 use colorous::VIRIDIS;
 use svg::node::element::{Group, Rectangle};
@@ -7,16 +7,16 @@ use super::axes::Axis;
 use super::pen::{Align, INK, drawn, group, hex, strokes, text, tidy};
 use super::text::{NORMAL, SMALL, width};
 
-/// Height of the coloured strip, of all of it, and width of the strip, CSS pixels.
+/// Height of the coloured strip, CSS pixels.
 const STRIP: f64 = 12.0;
 /// Height of the whole bar, CSS pixels.
 pub const HEIGHT: f64 = 38.0;
 /// Width of the coloured strip, CSS pixels.
 const WIDE: f64 = 190.0;
-/// Pieces of one colour.
+/// How many pieces of one colour the strip has.
 const PIECES: usize = 38;
 
-/// A scale of colours: even to the eye, rising in lightness, and safe for the colour-blind.
+/// A colour scale: even to the eye, with rising lightness, and safe for the colour-blind.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bar {
     axis: Axis,
@@ -36,7 +36,7 @@ impl Bar {
         [colour.r, colour.g, colour.b]
     }
 
-    /// Its width with its words, CSS pixels.
+    /// Its width with its title, CSS pixels.
     pub fn width(&self) -> f64 {
         width(&self.title, NORMAL) + WIDE + 24.0
     }
@@ -54,7 +54,7 @@ impl Bar {
             let field = Rectangle::new()
                 .set("x", tidy(from + piece * index as f64))
                 .set("y", 2.0)
-                // A little over the next, so that no ground shines through.
+                // Each piece overlaps the next a little, so that no background shows through.
                 .set("width", tidy(piece + if index + 1 < PIECES { 0.5 } else { 0.0 }))
                 .set("height", STRIP)
                 .set("stroke", "none")

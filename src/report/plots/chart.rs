@@ -1,4 +1,4 @@
-//! What stands in one panel.
+//! The content of one panel.
 
 use super::axes::Axis;
 use super::legend::Entry;
@@ -14,15 +14,15 @@ pub struct Point {
     pub y: f64,
     /// Half the length of its error bar.
     pub error: f64,
-    /// Only a lower bound: an open marker with an arrow.
+    /// Whether it is only a lower bound: an open marker with an arrow.
     pub bound: bool,
-    /// An open marker.
+    /// Whether its marker is open.
     pub open: bool,
     /// The ids of the cases that it stands for, separated by spaces.
     pub case: String,
-    /// Case, value and bar, for a pointer that rests on it.
+    /// Case, value and bar, shown when a pointer rests on it.
     pub told: String,
-    /// What stands beside it.
+    /// The note beside it.
     pub note: String,
 }
 
@@ -35,25 +35,25 @@ impl From<(f64, f64)> for Point {
 /// Points that belong together, and how they look.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
-    /// Its words in the legend, if any, and its look.
+    /// Its label in the legend, if any, and its look.
     pub entry: Entry,
-    /// Its points; none where it stands in the legend alone.
+    /// Its points; empty where it stands only in the legend.
     pub points: Vec<Point>,
 }
 
 impl Curve {
-    /// A curve whose points have nothing but their places.
+    /// A curve whose points have only their places.
     pub fn through(entry: Entry, points: impl IntoIterator<Item = (f64, f64)>) -> Curve {
         Curve { entry, points: points.into_iter().map(Point::from).collect() }
     }
 
-    /// A plain line at one level, as far as others reach.
+    /// A plain line at one level, as long as the other curves.
     pub fn level(label: impl Into<String>, level: f64, others: &[Curve]) -> Curve {
         let (low, high) = ends(places(others)).unwrap_or_default();
         Curve::through(Entry::line(label, Look::plain()), [(low, level), (high, level)])
     }
 
-    /// The lower and upper ends of all points; a bound has no upper end, but an arrow.
+    /// The lower and upper ends of all points. A bound has an arrow as its upper end.
     pub fn reach(&self) -> impl Iterator<Item = f64> {
         let up = |point: &Point| if point.bound { 0.06 * point.y } else { point.error };
         self.points.iter().flat_map(move |point| [point.y - point.error, point.y + up(point)])
@@ -65,12 +65,12 @@ pub fn points(curves: &[Curve]) -> impl Iterator<Item = &Point> + Clone {
     curves.iter().flat_map(|curve| &curve.points)
 }
 
-/// Their places on the horizontal axis.
+/// The places of all points on the horizontal axis.
 pub fn places(curves: &[Curve]) -> impl Iterator<Item = f64> + Clone {
     points(curves).map(|point| point.x)
 }
 
-/// How far their values reach up and down, bars and arrows included.
+/// How far the values reach up and down, with bars and arrows.
 pub fn reach(curves: &[Curve]) -> impl Iterator<Item = f64> {
     curves.iter().flat_map(Curve::reach)
 }
@@ -93,9 +93,9 @@ pub struct Cell {
 /// One panel.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chart {
-    /// What stands above it; may be empty.
+    /// The heading; may be empty.
     pub heading: String,
-    /// What all of it has in common, as `key=value`; may be empty.
+    /// What all its points have in common, as `key=value`; may be empty.
     pub key: String,
     /// Titles of the horizontal and the vertical axis.
     pub titles: [String; 2],
@@ -105,11 +105,11 @@ pub struct Chart {
     pub x: Axis,
     /// Vertical axis.
     pub y: Axis,
-    /// What is drawn, the last on top.
+    /// The curves; the last one is on top.
     pub curves: Vec<Curve>,
-    /// Fields of a map, under the curves.
+    /// Fields of a map, below the curves.
     pub cells: Vec<Cell>,
-    /// Only in a page, where a choice of cases asks for it.
+    /// Shown only in a page, when a choice of cases asks for it.
     pub spare: bool,
 }
 
@@ -134,7 +134,7 @@ impl Chart {
         }
     }
 
-    /// With words above it, and what all of it has in common as `key=value`.
+    /// Adds a heading, and what all its points have in common as `key=value`.
     pub fn under(self, heading: impl Into<String>, key: impl Into<String>) -> Chart {
         Chart { heading: heading.into(), key: key.into(), ..self }
     }

@@ -1,4 +1,4 @@
-//! The largest pressures up the wall, of a few cases.
+//! The largest pressures up the wall, for a few cases.
 
 use super::axes::Axis;
 use super::chart::{Chart, Curve, places, points};
@@ -18,7 +18,7 @@ use crate::report::series::Pressed;
 /// A case and its envelope.
 type Case<'a> = (&'a Row, Vec<Pressed>);
 
-/// The figure; none where no case has an envelope.
+/// The figure; empty where no case has an envelope.
 pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     let mut cases: Vec<Case<'_>> = Vec::new();
     for row in chosen(data) {
@@ -61,8 +61,8 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     }])
 }
 
-/// Of every wave the case of the largest force; of a single wave some cases, from the largest force to the
-/// least.
+/// For each of several waves, the case of the largest force. For a single wave, some cases from the
+/// largest to the least force.
 fn chosen(data: &Loaded) -> Vec<&Row> {
     let force = |row: &Row| row.number(row.impact(&FIRST_FORCE_MAX, &FORCE_MAX));
     let mut rows: Vec<_> = data.finished().collect();
@@ -127,7 +127,7 @@ mod tests {
         for word in ["p, kPa", "height, m", "first impact", "whole run"] {
             assert!(svg.contains(word), "{word}");
         }
-        // Fixed walls were told to have a stop.
+        // Fixed walls were said to have a stop.
         for (stops, told) in [(0, false), (1, true)] {
             data.rows.iter_mut().for_each(|row| *row = row.clone().with(&STOPS, stops));
             let caption = figures(&data).unwrap().remove(0).caption;
@@ -138,7 +138,7 @@ mod tests {
         let table = table.whole().unwrap();
         assert_eq!(table.rows.len(), 2 * 11);
         assert_eq!(table.rows[1][2..], ["0.1", "1500", ""]);
-        // Without a first impact there is one panel, and the caption tells of no other.
+        // Without a first impact there is one panel, and the caption names no other.
         for row in data.finished() {
             let rows = rows.replace("2900", "");
             std::fs::write(folder.join(format!("{}.csv", row.id())), rows).unwrap();

@@ -4,7 +4,7 @@
 type Colour = [f64; 3];
 type Matrix = [[f64; 3]; 3];
 
-/// What is seen of linear red, green and blue: by most, and with one kind of cone missing (Machado,
+/// How eyes see linear red, green and blue: most eyes, and eyes without one kind of cone (Machado,
 /// Oliveira and Fernandes 2009, severity 1).
 pub const EYES: [(&str, Matrix); 4] = [
     ("common", [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]),
@@ -34,7 +34,7 @@ pub const EYES: [(&str, Matrix); 4] = [
     ),
 ];
 
-/// Linear red, green and blue to X, Y and Z over those of white (sRGB, D65).
+/// Converts linear red, green and blue to X, Y and Z over those of white (sRGB, D65).
 const XYZ: Matrix = [
     [0.433_95, 0.376_21, 0.189_84],
     [0.212_67, 0.715_15, 0.072_18],
@@ -46,13 +46,13 @@ pub fn parse(text: &str) -> Colour {
     [1, 3, 5].map(|at| f64::from(u8::from_str_radix(&text[at..at + 2], 16).unwrap()) / 255.0)
 }
 
-/// How far apart two colours are to an eye, in CIELAB; 2 is just seen side by side.
+/// The distance of two colours to an eye, in CIELAB; 2 can just be seen side by side.
 pub fn apart(a: Colour, b: Colour, eye: Matrix) -> f64 {
     let (a, b) = (lab(times(eye, linear(a))), lab(times(eye, linear(b))));
     (0..3).map(|axis| (a[axis] - b[axis]).powi(2)).sum::<f64>().sqrt()
 }
 
-/// Lightness L* of a colour printed in grey.
+/// Lightness L* of a colour that is printed in grey.
 pub fn grey(colour: Colour) -> f64 {
     116.0 * root(times(XYZ, linear(colour))[1]) - 16.0
 }

@@ -1,5 +1,5 @@
-//! Runup and force at a fixed wall against the wave's height; at an upright wall beside Goda's formula,
-//! over a level bed beside the exact solitary wave, too.
+//! Runup and force at a fixed wall against the wave's height. Goda's formula is drawn at upright
+//! walls, and the exact solitary wave over level beds, too.
 
 mod exact;
 
@@ -21,9 +21,9 @@ use crate::report::load::Loaded;
 use crate::report::number::significant;
 use crate::report::row::Row;
 
-/// What is drawn, side by side, and where it stands in [`exact::line`].
+/// The columns that are drawn side by side, and their places in [`exact::line`].
 const SIDES: [(&Column, usize); 2] = [(&FIRST_RUNUP_MAX, 1), (&FIRST_FORCE_MAX, 2)];
-/// What is drawn of regular waves, and before walls that stand dry.
+/// The columns for regular waves, and for walls that stand dry.
 const OF_ALL: [(&Column, usize); 2] = [(&RUNUP_MAX, 1), (&FORCE_MAX, 2)];
 
 /// The figure of every variant with fixed walls and waves.
@@ -31,8 +31,8 @@ pub fn figures(data: &Loaded) -> Vec<Figure> {
     let (key, settings) = (swept::key(data), Settings::of(data));
     let walls_of = |variant: String| {
         let (places, rows): (Vec<_>, Vec<_>) = walls(data, &variant).unzip();
-        // A lone point makes no curve: it is worth a figure only beside the exact wave, and where
-        // no other figure has it.
+        // A lone point makes no curve. It gets a figure only beside the exact wave, and if no other
+        // figure has it.
         let elsewhere = |row: &Row| key.is_some_and(|key| swept::holds(data, key, row));
         let lone = rows.len() == 1 && rows.iter().all(|row| !row.is_vertical() || elsewhere(row));
         (!rows.is_empty() && !lone).then_some((variant, places, rows))
@@ -77,13 +77,13 @@ pub fn figures(data: &Loaded) -> Vec<Figure> {
     figures
 }
 
-/// Finished cases of one variant with a wave and a fixed wall, each behind its place among all rows.
+/// Finished cases of a variant with a wave and a fixed wall, with their places among all rows.
 pub fn walls<'a>(data: &'a Loaded, variant: &str) -> impl Iterator<Item = (usize, &'a Row)> {
     let sides = sides(data, variant);
     all(data, variant).filter(move |(_, row)| sides.iter().all(|of| row.number(of).is_some()))
 }
 
-/// Likewise, whatever is known of them.
+/// The same cases, with or without results.
 fn all<'a>(data: &'a Loaded, variant: &str) -> impl Iterator<Item = (usize, &'a Row)> {
     data.placed().filter(move |(_, row)| {
         row.is_fixed()
@@ -92,20 +92,20 @@ fn all<'a>(data: &'a Loaded, variant: &str) -> impl Iterator<Item = (usize, &'a 
     })
 }
 
-/// What is told of waves at fixed walls: runup and force of the first impact, or of the whole run.
+/// The columns for waves at fixed walls: runup and force of the first impact, or of the whole run.
 pub fn sides(data: &Loaded, variant: &str) -> [&'static Column; 2] {
     (if is_whole(data, variant) { OF_ALL } else { SIDES }).map(|(column, _)| column)
 }
 
-/// Whether whole runs are told: of regular waves, as each comes onto what the ones before have left, and before a wall
-/// that stands dry, where few waves come.
+/// Whether whole runs count. They do for regular waves, as earlier waves change later ones, and for
+/// walls that stand dry, where few waves come.
 fn is_whole(data: &Loaded, variant: &str) -> bool {
     all(data, variant).any(|(_, row)| row.regular || row.stands_dry())
 }
 
-/// What is drawn beside the cases.
+/// The curve that is drawn beside the cases.
 enum Beside {
-    /// The exact solitary wave, and Goda's formula, where both hold of all cases.
+    /// The exact solitary wave and Goda's formula, if both hold for all cases.
     Exact,
     /// Goda's formula alone: over beds, for crests, for regular waves; one setting for each case.
     Goda(Vec<Option<Setting>>),
@@ -145,8 +145,8 @@ impl Beside {
         }
     }
 
-    /// Goda's curve over places on the horizontal axis; where it is not the same for all cases, a point
-    /// for each.
+    /// Goda's curve over places on the horizontal axis. If it is not the same for all cases, there
+    /// is a point for each.
     fn goda(&self, rows: &[&Row], wave: &Column) -> Option<Curve> {
         let line = |setting: Setting| {
             let words = if setting.is_plain() { "Goda, long waves" } else { "Goda" };

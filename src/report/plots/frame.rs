@@ -1,4 +1,4 @@
-//! Where a panel's axes lie, and where a value lies between them.
+//! The place of a panel's axes, and the places of values between them.
 
 use super::chart::Chart;
 use super::labels::Field;
@@ -23,7 +23,7 @@ pub struct Margins {
 }
 
 impl Margins {
-    /// What all of the panels have room in.
+    /// Margins that are large enough for all panels.
     pub fn of(charts: &[Chart]) -> Margins {
         let widest = |labels: &mut dyn Iterator<Item = &str>| {
             labels.map(|label| width(label, SMALL)).fold(0.0, f64::max)
@@ -65,7 +65,7 @@ impl<'a> Frame<'a> {
         Frame { chart, left: margins.left, top: margins.top, wide, high }
     }
 
-    /// Where a pair of values lies; values beyond the axes lie on the frame.
+    /// The place of a pair of values; values beyond the axes lie on the frame.
     pub fn at(&self, x: f64, y: f64) -> (f64, f64) {
         (self.x(x), self.y(y))
     }
@@ -80,12 +80,12 @@ impl<'a> Frame<'a> {
         Field([self.left + 2.0, self.top, self.left + self.wide, self.top + self.high - 2.0])
     }
 
-    /// Where a value lies from the left.
+    /// A value's place from the left.
     pub fn x(&self, value: f64) -> f64 {
         self.left + self.wide * self.chart.x.share(value)
     }
 
-    /// Where a value lies from the top.
+    /// A value's place from the top.
     pub fn y(&self, value: f64) -> f64 {
         self.top + self.high * (1.0 - self.chart.y.share(value))
     }

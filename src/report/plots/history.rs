@@ -1,6 +1,6 @@
-//! Time histories at the wall: force, runup and displacement. With waves, one figure per wave
-//! height with a few curves spread over the stiffnesses (or over the masses, where there is one
-//! stiffness), or over what else was swept; without, one figure of a few cases.
+//! Time histories at the wall: force, runup and displacement. With waves, each wave height has one
+//! figure with a few curves. They are spread over the stiffnesses, over the masses at one
+//! stiffness, or over other swept keys. Without waves, one figure has a few cases.
 
 use super::look::Look;
 use super::marks::{said, shown_are, wave_said};
@@ -19,10 +19,10 @@ use crate::report::series::History;
 use crate::report::spoken::all_spoken;
 
 const CURVES: usize = 6;
-/// Wave heights with figures.
+/// How many wave heights have figures.
 const WAVES: usize = 12;
 
-/// One case's history with its words in the legend.
+/// One case's history with its label in the legend.
 struct Line {
     label: String,
     case: String,
@@ -64,13 +64,13 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     Ok(figures)
 }
 
-/// Cases of one wave that share a figure: those of a variant, or all where each is a variant of its own.
+/// Cases of one wave that share a figure: a variant's, or all if each has its own variant.
 fn groups(rows: Vec<&Row>) -> Vec<Vec<&Row>> {
     let groups = grouped(rows.iter().map(|row| (&row.variant, *row)));
     if groups.len() == rows.len() { vec![rows] } else { groups }
 }
 
-/// The figure of scenes that have no paddle: a still tank, a dam break, a flow with an exact answer.
+/// The figure of scenes without a paddle: a still tank, a dam break, a flow with an exact answer.
 fn without_wave(data: &Loaded) -> Result<Option<Figure>, ReportError> {
     let rows: Vec<_> =
         data.finished().filter(|row| row.number(&WAVE_HEIGHT_RATIO).is_none()).collect();
@@ -94,7 +94,7 @@ fn without_wave(data: &Loaded) -> Result<Option<Figure>, ReportError> {
     }))
 }
 
-/// The end of a caption: what was picked, where it is not all there is.
+/// The end of a caption: what was picked, if not all cases are shown.
 fn dropped(shown: usize, cases: usize, whose: &str, picked: &str) -> String {
     if shown >= cases {
         return String::new();
@@ -115,7 +115,7 @@ fn read(data: &Loaded, chosen: Vec<(String, &Row)>) -> Result<Vec<Line>, ReportE
     Ok(lines)
 }
 
-/// At most [`CURVES`] cases that are told apart by their variants, with the same as [`choose`].
+/// At most [`CURVES`] cases with different variants. Returns the same as [`choose`].
 fn gather<'a>(rows: &[&'a Row]) -> (Vec<(String, &'a Row)>, String, String) {
     let wall = |row: &Row| row.wall_in_words().join(", ");
     let first = wall(rows[0]);
@@ -181,12 +181,12 @@ fn moves(lines: &[Line]) -> bool {
     lines.iter().flat_map(|line| line.history.points(DISPLACEMENT.name)).any(|(_, x)| *x != 0.0)
 }
 
-/// Water stands at the wall or comes to it: one that stands dry under waves that end before it has no force to show.
+/// Whether any water reaches the wall. A dry wall that no wave reaches has no force to show.
 fn presses(lines: &[Line]) -> bool {
     lines.iter().flat_map(|line| line.history.points(FORCE.name)).any(|(_, force)| *force != 0.0)
 }
 
-/// What is drawn, in words.
+/// What is drawn, for the caption.
 fn shown(lines: &[Line], common: &str) -> String {
     let what = match (presses(lines), moves(lines)) {
         (false, true) => {
@@ -209,7 +209,7 @@ fn strips(lines: &[Line]) -> Vec<Strip> {
     let curve = |(index, line): (usize, &Line), name: &str| {
         let points = line.history.points(name).to_vec();
         let mut curve = over_time::Line::new(index, &line.label, &line.case, points);
-        // More curves than that have no look of their own: the fixed wall is drawn in ink.
+        // Later curves have no look of their own: the fixed wall is drawn in ink.
         if index >= CURVES {
             curve.entry.look = Look::plain();
         }

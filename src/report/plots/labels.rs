@@ -1,17 +1,17 @@
-//! Finds room for words beside points, so that none covers another, a marker or a line.
+//! Finds room for labels beside points, so that none covers another label, a marker or a line.
 
-/// Half the size of a marker with some air, CSS pixels.
+/// Half the size of a marker with a margin, CSS pixels.
 const MARKER: f64 = 6.0;
-/// Air around words, CSS pixels.
+/// Margin around words, CSS pixels.
 const AIR: f64 = 2.0;
 /// How far from their point words may stand, the nearest first, CSS pixels.
 const DISTANCES: [f64; 18] = [
     8.0, 12.0, 17.0, 23.0, 30.0, 38.0, 47.0, 57.0, 68.0, 80.0, 95.0, 115.0, 140.0, 170.0, 205.0,
     245.0, 290.0, 340.0,
 ];
-/// Directions that are tried, of a full turn.
+/// How many directions of a full turn are tried.
 const DIRECTIONS: usize = 36;
-/// From here on a line leads from the point to its words, CSS pixels.
+/// From this distance on, a line leads from the point to its words, CSS pixels.
 const LED: f64 = 13.0;
 
 /// A rectangle with upright sides: left, top, right, bottom.
@@ -38,7 +38,7 @@ impl Field {
         a[0] <= x && x <= a[2] && a[1] <= y && y <= a[3]
     }
 
-    /// The place in it that is nearest to a point.
+    /// The place in the rectangle that is nearest to a point.
     fn nearest(&self, (x, y): (f64, f64)) -> (f64, f64) {
         let Field(a) = self;
         (x.clamp(a[0], a[2]), y.clamp(a[1], a[3]))
@@ -50,12 +50,12 @@ impl Field {
 pub struct Placed {
     /// Their middle.
     pub middle: (f64, f64),
-    /// A line to their point, where that is not near.
+    /// A line to their point, if that is not near.
     pub lead: Option<[(f64, f64); 2]>,
 }
 
-/// Room for words of the given widths and one height at their points, in the order in which they are
-/// to have their choice; `None` where there is no room. Nothing is put where a line of `lines` runs.
+/// Places words of given widths and one height at their points. Earlier words choose first. `None`
+/// where there is no room. Nothing is placed where a line of `lines` runs.
 pub fn place(
     words: &[((f64, f64), f64)],
     high: f64,
@@ -74,7 +74,7 @@ pub fn place(
         let fits = |(field, _): &(Field, f64)| {
             field.is_in(&inside) && free(field, &taken) && free(field, &said)
         };
-        // A line from a point to its words crosses no words; and nothing else, if that can be had.
+        // A line from a point to its words crosses no words, and nothing else if possible.
         let leads = |(field, distance): &(Field, f64), others: &[&[Field]]| {
             let lead: Vec<_> = along(&[point, field.nearest(point)]).collect();
             let beyond = lead.iter().filter(|at| !Field::around(point, 8.0, 8.0).holds(**at));
@@ -101,8 +101,8 @@ pub fn place(
     placed
 }
 
-/// The direction in which a point has the fewest others, so that lines lead out of a crowd; to the
-/// right and a little up where it stands alone.
+/// The direction with the fewest other points, so that lines lead out of a crowd. For a lone point:
+/// to the right and a little up.
 fn away((x, y): (f64, f64), words: &[((f64, f64), f64)]) -> f64 {
     let push = |sum: (f64, f64), ((a, b), _): &((f64, f64), f64)| {
         let (dx, dy) = (x - a, y - b);
@@ -113,8 +113,8 @@ fn away((x, y): (f64, f64), words: &[((f64, f64), f64)]) -> f64 {
     if libm::hypot(dx, dy) < 0.1 { -0.4 } else { libm::atan2(dy, dx) }
 }
 
-/// Fields around a point, the nearest first and those in the wanted direction before others, with
-/// their distance.
+/// Fields around a point with their distances. The nearest come first; of these, those in the
+/// wanted direction.
 fn candidates(
     (x, y): (f64, f64),
     (wide, high): (f64, f64),
@@ -153,7 +153,7 @@ mod tests {
 
     #[test]
     fn sixty_words_in_a_crowd_cover_nothing() {
-        // Points of a low-discrepancy sequence, drawn together towards a side.
+        // Points of a low-discrepancy sequence, denser towards one side.
         let point = |index: u32| {
             let (a, b) = (f64::from(index) * 0.618_034 % 1.0, f64::from(index) * 0.754_878 % 1.0);
             ((60.0 + 640.0 * a * a, 30.0 + 420.0 * b), 70.0)

@@ -1,4 +1,4 @@
-//! What the looks mean: a row of samples and words above the panels.
+//! The legend: a row of samples and words above the panels.
 
 use svg::node::element::{Group, SVG};
 
@@ -13,17 +13,17 @@ const SAMPLE: f64 = 34.0;
 /// One entry.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Entry {
-    /// What it says.
+    /// Its words.
     pub label: String,
     /// What its points have in common, as `key=value`; may be empty.
     pub key: String,
     /// How it looks.
     pub look: Look,
-    /// Only in a page, where a choice of cases asks for it.
+    /// Shown only in a page, when a choice of cases asks for it.
     pub spare: bool,
-    /// With a line through it.
+    /// Whether it has a line.
     pub line: bool,
-    /// With a marker: filled, or that of a bound.
+    /// Its marker, if any: whether it is that of a bound rather than filled.
     pub marker: Option<bool>,
 }
 
@@ -44,12 +44,12 @@ impl Entry {
         Entry { line: false, marker: Some(bound), ..Entry::marked(label, look) }
     }
 
-    /// With what its points have in common.
+    /// Adds what its points have in common.
     pub fn keyed(self, key: impl Into<String>) -> Entry {
         Entry { key: key.into(), ..self }
     }
 
-    /// A short piece of it.
+    /// A short sample of its look.
     fn sample(&self, left: f64, y: f64) -> Group {
         let mut sample = self.look.group("sample");
         if self.line {
@@ -70,7 +70,7 @@ impl Entry {
     }
 }
 
-/// The rows of a legend as one group, and its height; wrapped before the right edge.
+/// The rows of a legend as one group, and its height. Rows end before the right edge.
 pub fn rows(entries: &[Entry], left: f64, right: f64) -> (Group, f64) {
     let mut legend = super::pen::group("legend").set("color", INK);
     let (mut x, mut row) = (left, 0);
@@ -88,7 +88,7 @@ pub fn rows(entries: &[Entry], left: f64, right: f64) -> (Group, f64) {
     (legend, height)
 }
 
-/// The same as a list of a page, which wraps by itself.
+/// The legend as a list in a page, which wraps by itself.
 pub fn list(entries: &[Entry]) -> String {
     let item = |entry: &Entry| {
         let sample = SVG::new()

@@ -1,13 +1,13 @@
-//! What tells one series from another: hue, shape of the markers and dashes of the line.
+//! The look of a series: its hue, the shape of its markers and the dashes of its line.
 //!
-//! The hues differ in lightness as well, so that they can be told apart in grey and by the
-//! colour-blind; the tests hold them to that.
+//! The hues also differ in lightness. They can be told apart in grey and by the colour-blind; tests
+//! check this.
 
 use svg::node::element::{Group, Path};
 
 use super::pen::{GROUND, INK, drawn, group, tidy};
 
-/// Hues on a white ground. A page has a second set for a dark one, in `plots.css`.
+/// Hues on white. A page has a second set for a dark background, in `plots.css`.
 const HUES: [&str; 6] = ["#5360ff", "#943909", "#00492a", "#c60d58", "#079bb3", "#5e0156"];
 
 /// Dashes of lines; the first is solid.
@@ -25,11 +25,11 @@ const SHAPES: [&str; 8] = [
     "m-2-4.3h4v8.6h-4z",
 ];
 
-/// A star, which no series has.
+/// A star, for printed numbers only.
 const STAR: &str =
     "m0.0 -5.4l1.4 3.5l3.7 0.2l-2.9 2.4l1 3.7l-3.2 -2.1l-3.2 2.1l1 -3.7l-2.9 -2.4l3.7 -0.2z";
 
-/// Line through a lower bound: dots, which no series has.
+/// Dots for a line through a lower bound. No series has them.
 pub const DOTS: &str = "0.8 3.4";
 
 /// The look of one series, the same wherever it appears.
@@ -40,28 +40,28 @@ pub struct Look {
 }
 
 impl Look {
-    /// The look of the `index`-th series. The first 24 differ in hue, shape or dash; the first six in
-    /// all three.
+    /// The look of the `index`-th series. The first 24 differ in hue, shape or dash. The first six
+    /// differ in all three.
     pub fn of(index: usize) -> Look {
         Look { series: Some(index), printed: false }
     }
 
-    /// A round marker and a solid line in ink, for what is compared with.
+    /// A round marker and a solid line in ink, for references.
     pub fn plain() -> Look {
         Look { series: None, printed: false }
     }
 
-    /// The same colour with the marker of numbers that a paper prints: a star, which no series has.
+    /// The same colour with a star, the marker of numbers that a paper prints.
     pub fn printed(self) -> Look {
         Look { printed: true, ..self }
     }
 
-    /// Whether it is that of printed numbers, whose markers are always open.
+    /// Whether it is the look of printed numbers, whose markers are always open.
     pub fn is_printed(self) -> bool {
         self.printed
     }
 
-    /// A group in this colour; what is in it is drawn in `currentColor`.
+    /// A group in this colour; its content is drawn in `currentColor`.
     pub fn group(self, class: &str) -> Group {
         let (hue, name) = match self.series {
             Some(index) => (HUES[index % HUES.len()], format!("hue-{}", index % HUES.len())),
@@ -75,7 +75,7 @@ impl Look {
         self.series.map_or("", |index| DASHES[index % DASHES.len()])
     }
 
-    /// A marker; open ones show the ground inside.
+    /// A marker; open ones show the background inside.
     pub fn marker(self, (x, y): (f64, f64), open: bool) -> Path {
         let shape = SHAPES[self.series.unwrap_or(0) % SHAPES.len()];
         let shape = if self.printed { STAR } else { shape };

@@ -1,5 +1,5 @@
-//! The largest force over stiffness and mass: a map for every wave height, and a bar that says what
-//! the colours are worth.
+//! The largest force over stiffness and mass: a map for every wave height, and a bar that explains
+//! the colours.
 
 use super::axes::Axis;
 use super::bar::Bar;
@@ -16,15 +16,15 @@ use crate::report::load::Loaded;
 use crate::report::number::significant;
 use crate::report::row::Row;
 
-/// What is mapped.
+/// The column that is mapped.
 const SHOWN: &Column = &FIRST_FORCE_MAX;
-/// A map of ten columns has room for numbers.
+/// At this size a map of ten columns has room for numbers.
 const SIZE: (f64, f64) = (340.0, 226.0);
 const ROOM: f64 = 280.0;
-/// Words along an axis, at most.
+/// Labels along an axis, at most.
 const WORDS: usize = 10;
 
-/// The maps of every variant with four stiffnesses and four masses: of fewer, curves say it all.
+/// The maps of every variant with four stiffnesses and four masses. For fewer, curves are enough.
 pub fn figures(data: &Loaded) -> Vec<Figure> {
     variants(&data.rows).iter().filter_map(|variant| figure(data, variant)).collect()
 }
@@ -69,7 +69,7 @@ fn figure(data: &Loaded, variant: &str) -> Option<Figure> {
     })
 }
 
-/// A place for every value, with words at not too many of them.
+/// A place for every value, with at most ten labels.
 fn steps(values: &[f64], column: &Column) -> Axis {
     let skip = values.len().div_ceil(WORDS);
     let word = |(index, value): (usize, &f64)| {

@@ -1,4 +1,4 @@
-//! From rows to points, and what captions say of them.
+//! Turns rows into points, and writes what captions say about them.
 
 use super::chart::{Curve, Point, points};
 use super::legend::Entry;
@@ -36,8 +36,8 @@ pub fn told(row: &Row, column: &Column) -> String {
     if case.is_empty() { said } else { format!("{case}: {said}") }
 }
 
-/// A curve for every value of a column that occurs among the cases, each with the look of the value's
-/// place among all `values`, and one for cases without a value.
+/// A curve for every value of a column, and one for cases without a value. A curve's look follows
+/// from the value's place among all `values`.
 pub fn by(
     column: &Column,
     values: &[f64],
@@ -60,8 +60,8 @@ pub fn by(
     all.filter_map(curve).collect()
 }
 
-/// A value of a column as legends and headings say it: mass and stiffness as they are typed, and then what
-/// the equations know them by, `m = 10 kg/m (m* = 0.25)`, where cases agree in both.
+/// A value of a column for legends and headings. Masses and stiffnesses are as in files, with the
+/// equations' number behind, `m = 10 kg/m (m* = 0.25)`, where cases agree in both.
 pub fn said<'a>(
     cases: impl Iterator<Item = &'a Row> + Clone,
     column: &Column,
@@ -86,26 +86,26 @@ pub fn said<'a>(
     format!("{} ({} = {known})", label(own, typed), ratio.symbol)
 }
 
-/// The wave of these cases: its height in `words`, but of a record that nobody gave a height.
+/// The wave of these cases: its height in `words`, unless it is a record without a given height.
 pub fn wave_said<'a>(cases: impl Iterator<Item = &'a Row>, words: String) -> String {
     let mut unasked = cases.map(|row| row.unasked).peekable();
     let any = unasked.peek().is_some();
     if any && unasked.all(|unasked| unasked) { "recorded stroke".to_owned() } else { words }
 }
 
-/// A value of a column as programs read it.
+/// A value of a column for programs.
 pub fn key(column: &Column, value: f64) -> String {
     format!("{}={value}", column.name)
 }
 
-/// What the legend says of bounds, where there are any.
+/// The legend's entry for bounds, if there are any.
 pub fn bounds(curves: &[Curve]) -> Option<Curve> {
     let any = points(curves).any(|point| point.bound);
     let entry = Entry::dots("lower bound: still moving at the end", Look::plain(), true);
     any.then_some(Curve { entry, points: Vec::new() })
 }
 
-/// The motion law that cases follow, as every figure of a movable wall has to say. A caisson has another, without s.
+/// The motion law, which every figure of a movable wall names. A caisson's law has no s.
 pub fn coupling<'a>(rows: impl Iterator<Item = &'a Row>) -> String {
     let springs = rows.filter(|row| row.number(&SPRING_STIFFNESS).is_some());
     let factors = distinct(springs, &FORCE_COUPLING);
@@ -116,13 +116,13 @@ pub fn coupling<'a>(rows: impl Iterator<Item = &'a Row>) -> String {
     format!(" Force coupling s = {}.", factors.join(", "))
 }
 
-/// What a caption says of walls without a spring, where stiffnesses stand by their logarithms.
+/// The caption's words on walls without a spring, where the axis is logarithmic in stiffness.
 pub fn springless<'a>(mut rows: impl Iterator<Item = &'a Row>) -> &'static str {
     let any = rows.any(|row| row.number(&SPRING_STIFFNESS) == Some(0.0));
     if any { " Walls with k = 0 have no place on a logarithmic axis." } else { "" }
 }
 
-/// What a caption says of error bars and of open markers, as far as there are any.
+/// The caption's words on error bars and open markers, if there are any.
 pub fn marks(rows: &[&Row], columns: &[&Column]) -> String {
     let any = |has: &dyn Fn(&Row, &Column) -> bool| {
         rows.iter().any(|row| columns.iter().any(|column| has(row, column)))
@@ -145,7 +145,7 @@ pub fn shown_are(shown: usize) -> String {
     format!("Shown {} {shown}", if shown == 1 { "is" } else { "are" })
 }
 
-/// The end of a caption: what was picked of many, where not all is drawn.
+/// The end of a caption: what was picked, if not all is drawn.
 pub fn picked(shown: usize, all: usize, what: &str) -> String {
     if shown >= all {
         return String::new();

@@ -1,4 +1,4 @@
-//! Figures, one file per family: each yields the figures that the data can fill, and none else.
+//! Figures, one file per family. Each family yields only the figures that the data can fill.
 //!
 //! A new family is a new file with a function `figures` and one line in [`all`].
 
@@ -52,7 +52,7 @@ pub use text::FONT;
 /// A finished drawing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Figure {
-    /// File name without its ending; a table of the same name may hold its numbers.
+    /// File name without its ending. A table of the same name may hold its numbers.
     pub name: String,
     /// Heading in the report.
     pub title: String,
@@ -73,16 +73,16 @@ pub(super) enum Place {
     Alone,
 }
 
-/// Series in a panel, panels of one figure, and figures that differ in other keys than the wave, at most: more than
-/// that nobody tells apart.
+/// The most series in a panel, panels of a figure, and figures that differ in other keys than the
+/// wave. Nobody can tell more apart.
 const SERIES: usize = 6;
 
-/// What a figure may be one of.
+/// The caption's words for what each figure is one of.
 const COMBINATIONS: &str = "combinations of other keys";
-/// The responses that are drawn: what the page's first answer is about comes first.
+/// The responses that are drawn. The subject of the page's first answer comes first.
 const DRAWN: [&Column; 3] = [&FIRST_FORCE_MAX, &FIRST_RUNUP_MAX, &DISPLACEMENT_MAX];
 
-/// What a page needs to show figures, in light and in dark.
+/// The style that a page needs for figures, in light and in dark.
 pub const STYLE: &str = include_str!("plots.css");
 
 impl Figure {
@@ -91,14 +91,14 @@ impl Figure {
         self.drawing.svg(self.drawing.layout.columns)
     }
 
-    /// Whether it is a single panel, which leaves much of a page's width to others.
+    /// Whether it is a single panel, which leaves most of a page's width free.
     pub(super) fn is_single(&self) -> bool {
         self.drawing.shown() == 1
     }
 
     /// The drawing with its caption for a page that has [`STYLE`].
     pub(super) fn inline(&self, place: Place) -> String {
-        // Two panels share the page's width between them.
+        // Two panels share the page's width.
         let large = place != Place::Usual || self.drawing.shown() == 2;
         let drawing = self.drawing.inline(&self.title, large);
         let (class, name) =
@@ -126,12 +126,12 @@ pub fn all(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     Ok(figures)
 }
 
-/// The end of a title that tells a variant.
+/// The end of a title that names a variant.
 fn of_variant(variant: &str) -> String {
     if variant.is_empty() { String::new() } else { format!(" ({})", all_spoken(variant)) }
 }
 
-/// The end of a caption: how many of these have a figure, where not all do.
+/// The end of a caption: how many have a figure, if not all do.
 fn left_out(all: usize, most: usize, what: &str) -> String {
     if all <= most {
         return String::new();

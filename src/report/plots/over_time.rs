@@ -7,7 +7,7 @@ use super::look::Look;
 use super::sheet::{Drawing, PANELS};
 use crate::quantities::history::TIME;
 
-/// A panel is some 250 pixels wide: two points in every pixel or so.
+/// A panel is some 250 pixels wide: this is about two points per pixel.
 const BUCKETS: usize = 150;
 
 /// Points over time: time in seconds and value.
@@ -16,7 +16,7 @@ type Points = Vec<(f64, f64)>;
 /// A curve over time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Line {
-    /// Its words in the legend.
+    /// Its label in the legend.
     pub entry: Entry,
     /// What it shows.
     pub points: Points,
@@ -32,20 +32,20 @@ impl Line {
 /// Curves over time in one panel.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Strip {
-    /// What stands above it, mostly nothing.
+    /// The heading, mostly empty.
     pub heading: String,
     /// Title of the vertical axis.
     pub title: String,
     /// Name of the quantity.
     pub name: String,
-    /// One without points keeps the colours of the others as they are in the next panel.
+    /// A curve without points keeps its colour, so that others have the same in all panels.
     pub curves: Vec<Line>,
-    /// The axis reaches to every peak, and not only to what lasts.
+    /// Whether the axis reaches every peak, and not only lasting values.
     pub peaks: bool,
 }
 
 impl Strip {
-    /// Whether anything but naught is to be drawn.
+    /// Whether any value is not 0.
     pub fn holds_anything(&self) -> bool {
         self.points().any(|point| point.1 != 0.0)
     }
@@ -77,8 +77,8 @@ pub fn strips(strips: &[Strip]) -> Drawing {
     Drawing::new(charts.collect(), PANELS)
 }
 
-/// Medians of five values each: those that last. An axis made for these is not squashed by the
-/// pulse of a wall that comes back onto its stop.
+/// Medians of five values each, which keep lasting values. An axis made for these is not squashed
+/// by the pulse of a wall that hits its stop.
 pub fn lasting(points: &[(f64, f64)]) -> Vec<f64> {
     let values: Vec<f64> = points.iter().map(|point| point.1).collect();
     let middle = |window: &[f64]| {
@@ -89,7 +89,7 @@ pub fn lasting(points: &[(f64, f64)]) -> Vec<f64> {
     if values.len() < 5 { values } else { values.windows(5).map(middle).collect() }
 }
 
-/// Fewer points with the same peaks: the lowest and the highest of every bucket, in their order.
+/// Fewer points with the same peaks: the lowest and highest of every bucket, in order.
 fn thin(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let size = points.len().div_ceil(BUCKETS);
     if size < 3 {

@@ -1,4 +1,4 @@
-//! Draws one panel: its axes, and what is between them.
+//! Draws one panel: its axes and its content.
 
 use svg::node::element::Group;
 
@@ -30,7 +30,7 @@ pub fn panel(frame: &Frame) -> Group {
     panel.add(text(above, &chart.heading, NORMAL, Align::Centre).set("class", "heading"))
 }
 
-/// The middle of a heading of some width: that of the axes, or further left where it would run out of the panel.
+/// The middle of a heading: that of the axes, or further left if it would leave the panel.
 fn heading_at(left: f64, wide: f64, words: f64) -> f64 {
     (left + wide / 2.0).min(left + wide - words / 2.0).max(words / 2.0)
 }
@@ -58,7 +58,7 @@ fn axis_x(frame: &Frame) -> Group {
     let mut free = f64::NEG_INFINITY;
     for tick in &chart.x.ticks {
         let (x, half) = (frame.x(tick.at), width(&tick.label, SMALL) / 2.0);
-        // Words that would run into those before are left out; their stroke stays.
+        // Labels that would overlap the one before are left out; their stroke stays.
         if tick.label.is_empty() || x - half < free {
             continue;
         }
@@ -92,7 +92,7 @@ fn axis_y(frame: &Frame) -> Group {
 mod tests {
     use super::*;
 
-    /// The crest's discharge lost the last letters of its name over the edge of the figure.
+    /// The end of the long name of the crest's discharge was cut off at the edge of the figure.
     #[test]
     fn a_long_heading_stays_in_its_panel() {
         let (left, wide) = (52.0, 143.0);

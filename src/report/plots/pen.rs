@@ -1,11 +1,11 @@
-//! Small pieces of drawings. They stand in groups of [`drawn`] strokes, in `currentColor`, which comes from the nearest
-//! group: a colour of its own in a file, a colour of the page's in a page.
+//! Small pieces of drawings. They stand in groups of [`drawn`] strokes in `currentColor`. The
+//! nearest group sets it: its own colour in a file, the page's in a page.
 
 use svg::node::element::{Group, Path, Polyline, SVG, Text, Title};
 
 /// The colour of words and axes; a page replaces it with its own.
 pub const INK: &str = "#1c2329";
-/// The ground of a figure that stands alone.
+/// The background of a figure that stands alone.
 pub const GROUND: &str = "#ffffff";
 
 /// Where a text stands relative to its point.
@@ -26,7 +26,7 @@ pub fn group(class: &str) -> Group {
     Group::new().set("class", class)
 }
 
-/// A group of strokes, drawn in its colour.
+/// A group of strokes in its colour.
 pub fn drawn(group: Group) -> Group {
     let group = group.set("fill", "none").set("stroke", "currentColor");
     group.set("stroke-width", 1.2).set("stroke-linejoin", "round")
@@ -39,7 +39,7 @@ pub fn text((x, y): (f64, f64), words: &str, size: f64, align: Align) -> Text {
         Align::Centre | Align::Upwards => "middle",
         Align::Right => "end",
     };
-    // Capitals are some 0.72 of a font's size high.
+    // Capitals are about 0.72 of a font's size high.
     let (x, y, drop) = (tidy(x), tidy(y), tidy(0.36 * size));
     let text = Text::new(words)
         .set("font-size", size)
@@ -67,7 +67,7 @@ pub fn strokes(class: &str, ends: &[[(f64, f64); 2]], width: f64) -> Path {
     path.set("d", ends.iter().map(stroke).collect::<String>()).set("stroke-width", width)
 }
 
-/// What a pointer that rests on a drawing is told.
+/// The words for a pointer that rests on a drawing.
 pub fn told(words: &str) -> Title {
     Title::new(words)
 }
@@ -78,7 +78,7 @@ pub fn arrow((x, y): (f64, f64)) -> Path {
     Path::new().set("class", "arrow").set("d", path)
 }
 
-/// A colour as files write it.
+/// A colour as written in files.
 pub fn hex([red, green, blue]: [u8; 3]) -> String {
     format!("#{red:02x}{green:02x}{blue:02x}")
 }
@@ -89,7 +89,7 @@ pub fn bare(svg: &SVG) -> String {
     text.replace(">\n", ">").replace("\n<", "<")
 }
 
-/// A length to the tenth of a pixel: on paper some 0.03 mm.
+/// A length to a tenth of a pixel, about 0.03 mm on paper.
 pub fn tidy(length: f64) -> f64 {
     let rounded = (length * 10.0).round() / 10.0;
     if rounded == 0.0 { 0.0 } else { rounded }

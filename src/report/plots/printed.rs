@@ -12,7 +12,7 @@ use crate::report::row::{PLACE, Row};
 /// The legend's words.
 pub(in crate::report) const PRINTED: &str = "printed in the papers";
 
-/// How they look everywhere.
+/// The look of printed numbers in all figures.
 pub(in crate::report) fn entry() -> Entry {
     Entry::dots(PRINTED, Look::plain().printed(), false).keyed("printed")
 }
@@ -24,8 +24,8 @@ pub(in crate::report) fn point(place: (f64, f64), row: &Row, printed: &Printed) 
     Point { open: true, case, told: told.trim_end().to_owned(), ..place.into() }
 }
 
-/// Markers of a panel: what the papers print of a column in its cases, at their places in the column `x`. None where
-/// they print nothing of them.
+/// Markers of a panel: what the papers print for this column and these cases, at their places in
+/// the column `x`. `None` if they print nothing.
 pub fn beside(data: &Loaded, column: &Column, rows: &[&Row], x: &Column) -> Option<Curve> {
     let mut points: Vec<Point> = Vec::new();
     for number in printed().iter().filter(|number| number.quantity == column.name) {

@@ -1,5 +1,5 @@
-//! What pressure, level and void gauges recorded over time: one figure per case, one panel per
-//! unit and six gauges.
+//! What pressure, level and void gauges recorded over time: one figure per case, one panel per unit
+//! and for at most six gauges.
 
 use super::Figure;
 use super::marks::shown_are;
@@ -13,11 +13,11 @@ use crate::report::series::Series;
 use crate::scene::OVER_STILL_WATER;
 
 const CASES: usize = 4;
-/// Curves in a panel: as many as there are colours.
+/// Curves in a panel: one for each colour.
 const CURVES: usize = 6;
 /// The column of a wall with a crest.
 const CREST_THICKNESS: &str = "crest_thickness_m";
-/// Nothing in any unit of an axis.
+/// Smaller values count as 0, in any unit.
 const NAUGHT: f64 = 1e-9;
 /// Letters above a panel, at most.
 const HEADING: usize = 36;
@@ -60,13 +60,13 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     Ok(figures)
 }
 
-/// Whether any of its values is more than what sums of no water leave.
+/// Whether any value is larger than the noise of sums over no water.
 fn holds_anything(strip: &Strip) -> bool {
     strip.curves.iter().flat_map(|line| &line.points).any(|(_, value)| value.abs() > NAUGHT)
 }
 
-/// Gauges by the title of their axis, in the order of their first column, at most [`CURVES`] together. Each panel is headed by its
-/// gauges where they are few, and colours go on from one to the next: the legend is that of all panels.
+/// Gauges by the title of their axis, in the order of columns, at most [`CURVES`] per panel. Few
+/// gauges head their panel. Colours go on in the next panel: all share one legend.
 fn strips(case_id: &str, gauges: &[Series]) -> Vec<Strip> {
     let recorded = gauges.iter().filter(|gauge| gauge.points.len() > 1);
     let scales = different(recorded.map(scale));
@@ -92,9 +92,9 @@ fn strips(case_id: &str, gauges: &[Series]) -> Vec<Strip> {
     panels.iter().map(strip).collect()
 }
 
-/// The title of an axis and what values are multiplied by to stand on it.
+/// The title of an axis, and the factor from values to the axis.
 fn scale(gauge: &Series) -> (String, f64) {
-    // A thickness is no level: it does not count from the bed, and has a panel of its own.
+    // A thickness is not a level: it does not start at the bed. It has its own panel.
     if gauge.name == CREST_THICKNESS {
         return (heading(&gauge.name), 1.0);
     }
@@ -131,7 +131,7 @@ mod tests {
         assert!(!figures[0].caption.contains("Shown"));
     }
 
-    /// The story: of a crest that no water went over there were four panels of naught, and so of every case.
+    /// The story: a crest that no water passed had four panels of 0, and so had every case.
     #[test]
     fn panels_of_naught_are_left_out() {
         let (_directory, data) = fixture::read(fixture::dam_breaks(1));
@@ -170,7 +170,7 @@ mod tests {
         assert_eq!(strips[1].curves[0].points[0], (0.0, 2.0));
     }
 
-    /// The story: five gauges of five units were five blue lines, and nothing said which was which.
+    /// The story: five gauges with five units were five blue lines without names.
     #[test]
     fn panels_say_whose_they_are() {
         let gauge = |name: &str, unit: &str| Series {
@@ -187,7 +187,7 @@ mod tests {
         let crest = [gauge("G1", "m"), gauge("crest_thickness_m", "m")];
         let told = super::strips("a", &crest).into_iter().map(|strip| strip.title);
         assert_eq!(told.collect::<Vec<_>>(), ["level, m", "crest thickness, m"]);
-        // The story: an elevation had the axis of a level, though it does not count from the bed.
+        // The story: an elevation had the axis of a level, though it does not start at the bed.
         let [level, mut elevation] = [gauge("G1", "m"), gauge("G2", "m")];
         elevation.method = "surface over still water where kernel coverage falls to 1/2".to_owned();
         let told = super::strips("a", &[level, elevation]).into_iter().map(|strip| strip.title);

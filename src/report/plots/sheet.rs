@@ -1,5 +1,5 @@
-//! The one layout of all figures: panels side by side and one below the other, a legend above them.
-//! In a page the panels are drawings of their own, and wrap as the page narrows.
+//! The layout of all figures: panels side by side and in rows, with a legend above. In a page each
+//! panel is its own drawing, and they wrap if the page is narrow.
 
 use svg::node::element::{Group, Rectangle, SVG};
 
@@ -12,7 +12,7 @@ use super::pen::{GROUND, INK, bare, tidy};
 use super::text::FAMILY;
 use crate::math::lists::different;
 
-/// Between panels, and around them all, CSS pixels.
+/// Gaps between panels, and around all of them, CSS pixels.
 const GAP: f64 = 14.0;
 const EDGE: f64 = 6.0;
 
@@ -25,13 +25,13 @@ pub struct Layout {
     pub size: (f64, f64),
 }
 
-/// Three panels in a row of a page, one on a telephone.
+/// Three panels in a row of a page; one on a telephone.
 pub const PANELS: Layout = Layout { columns: 3, size: (296.0, 226.0) };
 
-/// The one panel of a figure that has half of a page's width: words keep nine pixels on a telephone.
+/// A lone panel with half of a page's width. Its words keep nine pixels on a telephone.
 const LARGE: (f64, f64) = (368.0, 244.0);
 
-/// A panel of three in a row of a journal's page.
+/// One of three panels in a row of a journal's page.
 const SMALL: (f64, f64) = (214.0, 186.0);
 
 /// Panels and their legend.
@@ -39,9 +39,9 @@ const SMALL: (f64, f64) = (214.0, 186.0);
 pub struct Drawing {
     /// The panels, row by row.
     pub charts: Vec<Chart>,
-    /// Their place in a file.
+    /// Their layout in a file.
     pub layout: Layout,
-    /// What the colours of fields are worth.
+    /// The bar that explains the fields' colours.
     pub bar: Option<Bar>,
 }
 
@@ -51,14 +51,14 @@ impl Drawing {
         Drawing { charts, layout, bar: None }
     }
 
-    /// The same; `None` without any panel.
+    /// The drawing; `None` without panels.
     pub fn filled(charts: Vec<Chart>, layout: Layout) -> Option<Drawing> {
         (!charts.is_empty()).then(|| Drawing::new(charts, layout))
     }
 
-    /// The drawing on one sheet or, where that were higher than `tallest` times its width, on several;
-    /// each with the legend, and its width in pixels. Three panels in a row are drawn small, so that
-    /// words are large enough on paper.
+    /// The drawing on sheets no higher than `tallest` times their width. Each has the legend, and
+    /// comes with its width in pixels. Three panels in a row are drawn small, so that words are
+    /// large enough on paper.
     pub fn pages(&self, columns: usize, tallest: f64) -> Vec<(String, f64)> {
         let own = self.of_file();
         let columns = columns.min(own.charts.len()).max(1);
@@ -76,7 +76,7 @@ impl Drawing {
         own.charts.chunks(columns * (room.max(1.0) as usize)).map(page).collect()
     }
 
-    /// Without what only a page shows.
+    /// The drawing without what only a page shows.
     fn of_file(&self) -> Drawing {
         let mut own = self.clone();
         own.charts.retain(|chart| !chart.spare);
@@ -118,13 +118,13 @@ impl Drawing {
         format!("{sheet}\n")
     }
 
-    /// Panels that a page shows at first.
+    /// How many panels a page shows at first.
     pub fn shown(&self) -> usize {
         self.charts.iter().filter(|chart| !chart.spare).count()
     }
 
-    /// The drawing for a page: a legend and panels, each of them an SVG. A `large` one has the half of a
-    /// page's width for each panel.
+    /// The drawing for a page: a legend and panels, each an SVG. If `large`, each panel has half of
+    /// a page's width.
     pub fn inline(&self, label: &str, large: bool) -> String {
         let margins = Margins::of(&self.charts);
         let size = if large { LARGE } else { self.layout.size };
@@ -153,7 +153,7 @@ impl Drawing {
         )
     }
 
-    /// What the legend says: every curve with words, once.
+    /// The legend's entries: every curve with a label, once.
     fn entries(&self) -> Vec<Entry> {
         let all = self.charts.iter().flat_map(|chart| &chart.curves).map(|curve| &curve.entry);
         different(all.filter(|entry| !entry.label.is_empty())).into_iter().cloned().collect()

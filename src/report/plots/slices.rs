@@ -1,6 +1,6 @@
-//! Responses against one parameter in its own unit: the spring's stiffness k on a logarithmic axis,
-//! the wall's mass m*, the wave's height. Force, runup and displacement stand side by side; what is
-//! below is the same at another value of a second parameter; curves are of the third.
+//! Responses against one parameter in its own unit: stiffness k on a logarithmic axis, mass m*,
+//! wave height. Force, runup and displacement stand side by side. Rows are values of a second
+//! parameter, curves those of the third.
 
 use super::axes::Axis;
 use super::chart::{Chart, Curve, Point, places, points, reach};
@@ -15,7 +15,7 @@ use crate::report::row::Row;
 
 /// Values of the second parameter, at most.
 const ROWS: usize = 3;
-/// A page holds the others, too, up to so many in all: they show where a choice asks for them.
+/// A page also holds other values, up to so many, and shows them when a choice asks for them.
 const MOST_ROWS: usize = 8;
 const MOST_SERIES: usize = 12;
 
@@ -25,16 +25,16 @@ const ARROW: f64 = 2.0;
 /// One cut through a study.
 struct Slice {
     name: &'static str,
-    /// What is on the horizontal axis, and its words.
+    /// The column on the horizontal axis, and its words.
     along: &'static Column,
     what: &'static str,
-    /// What tells curves apart, and their words.
+    /// The column that tells curves apart, and its words.
     series: &'static Column,
     curves: &'static str,
-    /// What tells rows of panels apart, and their words.
+    /// The column that tells rows of panels apart, and its words.
     rows: &'static Column,
     held: &'static str,
-    /// The axes of the parameter and of the displacement are logarithmic.
+    /// Whether the axes of parameter and displacement are logarithmic.
     logarithmic: bool,
 }
 
@@ -119,14 +119,14 @@ impl Slice {
         })
     }
 
-    /// Whether a case has anything to show. A logarithmic axis has no place for naught, and still water, which has
-    /// no first impact and moves no wall, would have panels with nothing in them.
+    /// Whether a case has anything to show. A logarithmic axis has no place for 0. Still water has
+    /// no first impact and moves no wall: its panels would be empty.
     fn draws(&self, row: &Row) -> bool {
         let above = |column: &Column| row.number(column).is_some_and(|value| value > 0.0);
         (above(self.along) || !self.logarithmic) && DRAWN.iter().any(|column| above(column))
     }
 
-    /// A row of panels for every value of the second parameter. A column has one pair of axes.
+    /// A row of panels per value of the second parameter. Panels in a column share their axes.
     fn charts(
         &self,
         rows: &[&Row],
@@ -177,7 +177,7 @@ impl Slice {
     }
 }
 
-/// What is shown at once, and then what a choice may ask for, unless these are too many.
+/// First the values that are shown, then those for a choice of cases, unless there are too many.
 fn with_spare(shown: &[f64], all: &[f64], most: usize) -> Vec<f64> {
     let rest = all.iter().filter(|value| all.len() <= most && !shown.contains(value));
     shown.iter().chain(rest).copied().collect()

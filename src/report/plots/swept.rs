@@ -1,5 +1,5 @@
-//! Responses against whatever was swept besides the wave's height, where the spring's stiffness
-//! was not: a panel for each of force, runup and displacement, one curve per wave height.
+//! Responses against a swept key that is not the wave's height, if the stiffness was not swept: a
+//! panel each for force, runup and displacement, one curve per wave height.
 
 mod beds;
 
@@ -23,8 +23,8 @@ use crate::report::row::Row;
 use crate::report::study::{Key, StudyFile};
 use crate::report::variant::{file_name, shorten, words};
 
-/// What is drawn, and what stands in for it where a case has no first impact. Of regular waves the latter is
-/// drawn of all cases.
+/// Each drawn column, with the one that replaces it where a case has no first impact. For regular
+/// waves the latter is drawn for all cases.
 const DRAWN: [(&Column, Option<&Column>); 4] = [
     (&FIRST_FORCE_MAX, Some(&FORCE_MAX)),
     (&FIRST_RUNUP_MAX, Some(&RUNUP_MAX)),
@@ -32,7 +32,7 @@ const DRAWN: [(&Column, Option<&Column>); 4] = [
     (&OVERTOPPING_VOLUME, None),
 ];
 
-/// What is drawn of these cases, and what stands in for it.
+/// The columns for these cases, and their replacements.
 fn drawn(group: &[Case]) -> [(&'static Column, Option<&'static Column>); 4] {
     let regular = group.iter().any(|(_, row)| row.regular);
     DRAWN.map(
@@ -43,11 +43,11 @@ fn drawn(group: &[Case]) -> [(&'static Column, Option<&'static Column>); 4] {
 /// One case: its place on the horizontal axis and its row.
 type Case<'a> = (f64, &'a Row);
 
-/// The key whose values are beds: they have their places by their slopes or heights.
+/// The key whose values are beds. Their places are their slopes or heights.
 const BED: &str = "bed";
 
-/// The first swept key of numbers, or of beds that differ in slope or height, besides the wave's height, if no two cases differ in their
-/// stiffness alone: response curves would have one point each.
+/// The first swept key of numbers or of beds with different places, besides the wave's height.
+/// `None` if cases differ in stiffness alone: then response curves show them.
 pub fn key(data: &Loaded) -> Option<&Key> {
     let sorted = |variant: &String| responses(&data.rows, variant, &FIRST_FORCE_MAX);
     if variants(&data.rows).iter().any(|variant| has_curve(&sorted(variant))) {
@@ -59,7 +59,7 @@ pub fn key(data: &Loaded) -> Option<&Key> {
     })
 }
 
-/// Caissons against the wave's height, as far as no other figure of responses has them: they have no spring.
+/// Caissons against the wave's height, if no other figure of responses has them.
 pub fn caissons(data: &Loaded, elsewhere: Option<&Key>) -> Vec<Figure> {
     let drawn = elsewhere.map(|key| cases(data, key)).unwrap_or_default();
     let drawn: HashSet<_> = drawn.into_iter().map(|(_, row)| row.id()).collect();
@@ -100,7 +100,7 @@ fn cases<'a>(data: &'a Loaded, key: &Key) -> Vec<Case<'a>> {
     data.rows.iter().zip(key.cells.iter()).filter_map(place).collect()
 }
 
-/// What places a cell of the key on the axis, and what stands below that.
+/// The function that places a cell of the key on the axis, and the axis title.
 fn measure(key: &Key) -> (fn(&str) -> Option<f64>, String) {
     if key.name != BED {
         return (|cell| cell.parse().ok(), heading(&key.name));
@@ -114,13 +114,13 @@ pub fn holds(data: &Loaded, key: &Key, row: &Row) -> bool {
     cases(data, key).iter().any(|(_, other)| other.id() == row.id())
 }
 
-/// The figures of every combination of what else was swept.
+/// The figures, one for each combination of the other swept keys.
 pub fn figures(data: &Loaded, key: &Key) -> Vec<Figure> {
     let waves = spread(&distinct(data.rows.iter(), &WAVE_HEIGHT_RATIO), SERIES);
     let others: HashMap<_, _> = data.rows.iter().map(Row::id).zip(others(data, key)).collect();
     let of = |(_, row): &Case| others[row.id()].as_str();
     let groups = grouped(cases(data, key).into_iter().map(|case| (of(&case), case)));
-    // Other depths at the paddle are others at the wall, too, and not in proportion.
+    // Another depth at the paddle changes the depth at the wall, and not in proportion.
     let of_file = StudyFile::of(data.manifest.as_ref());
     let over_beds = data.keys.iter().any(|key| key.name == BED)
         || of_file.is_some_and(|file| file.scene.contains_key(BED));
@@ -144,7 +144,7 @@ pub fn figures(data: &Loaded, key: &Key) -> Vec<Figure> {
     figures
 }
 
-/// What else was swept, as far as it varies, for every row.
+/// The other swept keys that vary, in words for every row.
 fn others(data: &Loaded, key: &Key) -> Vec<String> {
     let varies = |other: &&Key| {
         other.name != key.name
@@ -156,7 +156,7 @@ fn others(data: &Loaded, key: &Key) -> Vec<String> {
     (0..data.rows.len()).map(|row| words(&others, row)).collect()
 }
 
-/// What a caption says of the key, and of what curves are.
+/// The caption's words on the key and on the curves.
 fn by_waves(what: &str, group: &[Case], over_beds: bool) -> String {
     let curves =
         if nominal(group).is_empty() { "." } else { "; one curve per nominal wave height." };

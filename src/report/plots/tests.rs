@@ -70,7 +70,7 @@ fn many_waves_have_few_histories_and_near_ones_names_of_their_own() {
     assert_eq!(near.collect::<Vec<_>>(), names);
 }
 
-/// The story: of each of 36 crests there was a figure of two waves at its wall, beside the one over all crests.
+/// The story: each of 36 crests had a figure of two waves, beside the figure over all crests.
 #[test]
 fn fixed_walls_that_differ_in_other_keys_have_few_figures() {
     let (_directory, mut data) = fixture::read(fixture::fixed());
@@ -85,7 +85,7 @@ fn fixed_walls_that_differ_in_other_keys_have_few_figures() {
     assert!(figures[0].caption.ends_with(told), "{}", figures[0].caption);
 }
 
-/// The story: a study of one stiffness had three response figures of a lone point in each panel.
+/// The story: a study of one stiffness had three response figures with a lone point per panel.
 #[test]
 fn one_stiffness_makes_no_curve() {
     let names = |waves: &[f64], masses: &[f64]| -> String {

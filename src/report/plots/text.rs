@@ -1,10 +1,10 @@
-//! How wide words are, so that nothing is drawn over them.
+//! The width of words, so that nothing is drawn over them.
 
 use std::sync::LazyLock;
 
 use ttf_parser::Face;
 
-/// A cut of DejaVu Sans, the widest of the common fonts: what has room in it has room in all.
+/// A subset of DejaVu Sans, the widest of the common fonts: words that fit in it fit in all.
 pub const FONT: &[u8] = include_bytes!("../../../data/font/DejaVuSans.ttf");
 
 /// The fonts that figures ask for. The first three have the same widths.
@@ -18,7 +18,7 @@ pub const NORMAL: f64 = 11.5;
 static FACE: LazyLock<Face<'static>> =
     LazyLock::new(|| Face::parse(FONT, 0).expect("the font is part of the program"));
 
-/// Width of one line of text, CSS pixels. A sign that the font lacks counts as a wide one.
+/// Width of one line of text, CSS pixels. A sign that the font lacks counts as wide.
 pub fn width(text: &str, size: f64) -> f64 {
     let wide = FACE.units_per_em();
     let advance = |sign: char| {

@@ -2,17 +2,17 @@
 
 use crate::report::number::in_powers;
 
-/// What an axis must at least have.
+/// The fewest ticks of an axis.
 pub const FEWEST: usize = 4;
-/// Numbers on an axis of many decades, at most.
+/// The most numbers on an axis of many decades.
 const DECADES: i32 = 6;
 
 /// A place on an axis and what is written there.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tick {
-    /// The value.
+    /// Its value.
     pub at: f64,
-    /// Its words.
+    /// Its label.
     pub label: String,
 }
 
@@ -35,7 +35,7 @@ pub fn linear(low: f64, high: f64, wanted: f64) -> Vec<Tick> {
     }
 }
 
-/// The step of 1, 2 or 5 times a power of ten next above `rough`, and the decimals it needs.
+/// The next step of 1, 2 or 5 times a power of ten above `rough`, and the decimals it needs.
 fn round_step(rough: f64) -> (f64, usize) {
     let power = libm::log10(rough).floor() as i32;
     let unit = 10_f64.powi(power);
@@ -45,7 +45,7 @@ fn round_step(rough: f64) -> (f64, usize) {
     (step, usize::try_from(-power).unwrap_or(0))
 }
 
-/// Powers of ten, or where they are few their multiples; and small strokes between them.
+/// Powers of ten, or their multiples if they are few; with small strokes between them.
 pub fn logarithmic(low: f64, high: f64) -> (Vec<Tick>, Vec<f64>) {
     let (first, last) = (libm::log10(low).floor() as i32, libm::log10(high).ceil() as i32);
     let inside = |value: &f64| (low * 0.9999..=high * 1.0001).contains(value);
@@ -80,7 +80,7 @@ fn power(value: f64) -> i32 {
     libm::log10(value).round() as i32
 }
 
-/// A multiple of a power of ten, read as it is written, so that it is the nearest number to it.
+/// A multiple of a power of ten, read from text, so that it is the nearest number.
 fn exact(factor: i32, power: i32) -> f64 {
     format!("{factor}e{power}").parse().unwrap_or(f64::NAN)
 }

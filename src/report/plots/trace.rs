@@ -9,7 +9,7 @@ use super::look::{DOTS, Look};
 use super::pen::{Align, arrow, drawn, group, hex, line, strokes, text, tidy, told};
 use super::text::{SMALL, width};
 
-/// All that a curve has in a panel.
+/// The whole curve in a panel.
 pub fn series(frame: &Frame, curve: &Curve) -> Group {
     let entry = &curve.entry;
     let class = if entry.spare { "series spare" } else { "series" };
@@ -33,7 +33,7 @@ pub fn series(frame: &Frame, curve: &Curve) -> Group {
     series
 }
 
-/// The line in pieces: as the series has it between values, dotted to and from bounds.
+/// The line in pieces: in the series' dashes between values, dotted to and from bounds.
 fn pieces(frame: &Frame, points: &[&Point], look: Look, width: f64) -> Vec<Polyline> {
     let at = |point: &&Point| frame.at(point.x, point.y);
     let piece = |run: &[&Point], class: &str, dash: &str, width: f64| {
@@ -65,7 +65,7 @@ fn marked(frame: &Frame, point: &Point, look: Look) -> Group {
     marked.add(look.marker((x, y), point.open || point.bound))
 }
 
-/// The words beside the points of a panel, those of filled markers first, as they matter more.
+/// The notes beside a panel's points. Those of filled markers come first, as they matter more.
 pub fn notes(frame: &Frame, curves: &[Curve]) -> Option<Group> {
     let noted = |curve: &&Curve| curve.entry.marker.is_some();
     let points = curves.iter().filter(noted).flat_map(|curve| &curve.points);
@@ -87,7 +87,7 @@ pub fn notes(frame: &Frame, curves: &[Curve]) -> Option<Group> {
     (!words.is_empty()).then_some(notes)
 }
 
-/// An error bar with its ends; that of a bound reaches down alone.
+/// An error bar with its ends. A bound's bar reaches only down.
 fn bar(frame: &Frame, point: &Point) -> String {
     let up = if point.bound { 0.0 } else { point.error };
     let (x, low) = frame.at(point.x, point.y - point.error);
@@ -120,7 +120,7 @@ pub fn field(frame: &Frame, cell: &Cell) -> Group {
     field
 }
 
-/// Black or white, whichever can be read on a colour.
+/// Black or white, whichever is readable on a colour.
 fn on([red, green, blue]: [u8; 3]) -> &'static str {
     let light = |channel: u8| libm::pow(f64::from(channel) / 255.0, 2.2);
     let shine = 0.2126 * light(red) + 0.7152 * light(green) + 0.0722 * light(blue);

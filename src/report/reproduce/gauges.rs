@@ -97,7 +97,7 @@ impl Case<'_> {
     }
 }
 
-/// Evenly picked points, at most [`MOST`].
+/// Evenly picked points, as many as a panel takes.
 fn thin(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     points.iter().copied().step_by(points.len().div_ceil(MOST).max(1)).collect()
 }

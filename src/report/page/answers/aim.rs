@@ -1,11 +1,11 @@
-//! Whether a study keeps to the error that it aims at.
+//! Whether a study reaches the error that it aims at.
 
 use std::path::Path;
 
 use crate::math::words::counted;
 use crate::report::load::Loaded;
 
-/// In how many cases force and displacement are within the wanted error; `None` where none was wanted.
+/// How many cases have force and displacement within the wanted error; `None` without such an aim.
 pub fn met(data: &Loaded) -> Option<String> {
     read(&data.directory.join("max_error.csv"))
 }

@@ -19,7 +19,7 @@ pub fn bounds(data: &Loaded) -> Option<String> {
         return None;
     }
     if open == 0 {
-        // A caisson stays where it stops.
+        // A caisson stays where it comes to rest.
         let springs = moving().all(|row| row.number(&SPRING_STIFFNESS).is_some());
         let ended = if springs { "had turned" } else { "stood still or had turned" };
         return Some(format!("No maximum is a bound: every wall {ended} before its run ended."));
@@ -74,7 +74,7 @@ pub fn doubtful(data: &Loaded) -> Option<String> {
     ))
 }
 
-/// How many results have coarse particles, and what that means of them; `None` where none has.
+/// How many results have coarse particles, and what follows from that; `None` where none has.
 pub fn coarse(data: &Loaded) -> Option<String> {
     let all = data.finished().count();
     let coarse: Vec<_> = data
@@ -90,8 +90,8 @@ pub fn coarse(data: &Loaded) -> Option<String> {
     Some(format!("{} of {} {have} coarse particles: {why}.", coarse.len(), counted(all, "result")))
 }
 
-/// The kinds of a case's reasons, each once. Reasons that name no kind are told without their numbers and
-/// without the quantities that they touch, as earlier versions wrote them.
+/// The kinds of a case's reasons, each once. Reasons without a kind, as earlier versions wrote
+/// them, lose their numbers and the quantities that they touch.
 fn kinds(reasons: &str) -> Vec<String> {
     different(reasons.split("; ").map(|reason| match reason.split_once(": ") {
         Some((name, rest)) if named(name).is_some() => without_numbers(rest),

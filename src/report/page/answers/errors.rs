@@ -12,8 +12,8 @@ use crate::report::number::significant;
 use crate::report::page::words::{at, percent};
 use crate::report::row::Row;
 
-/// A number that gets a bar: its symbol, its column, that of the whole run, and whether the bar is told in percent of it.
-/// Runups are told in depths, as still water has none.
+/// A number with a bar: its symbol, its column, the whole run's column, and whether the bar is in
+/// percent. Bars of runups are in depths, as still water has no runup.
 type Number = (&'static str, &'static Column, &'static Column, bool);
 
 const NUMBERS: [Number; 3] = [
@@ -22,7 +22,7 @@ const NUMBERS: [Number; 3] = [
     ("X*", &DISPLACEMENT_MAX, &DISPLACEMENT_MAX, true),
 ];
 
-/// The bar in the middle and the widest one, of each number; or that there are none.
+/// The median bar and the widest bar of each number, or that there are none.
 pub fn bars(data: &Loaded) -> Option<String> {
     let finished = data.finished().count();
     if finished == 0 {
@@ -52,7 +52,7 @@ pub fn bars(data: &Loaded) -> Option<String> {
     Some(format!("Error bars, in the median and at worst: {}.{without}", listed(&told)))
 }
 
-/// Whether the study's file asks for them.
+/// Whether the study's file asks for error bars.
 fn asked(data: &Loaded) -> bool {
     let Some(file) = data.file() else { return false };
     let name = "error_bars";
@@ -60,7 +60,7 @@ fn asked(data: &Loaded) -> bool {
     file.aims || file.grid.contains_key(name) || own.is_some_and(|bars| bars != "none")
 }
 
-/// Whether its scene is a seawall, as far as its file tells.
+/// Whether the study's scenes are seawalls, as far as its file says.
 fn of_walls(data: &Loaded) -> bool {
     let kind = data.file().and_then(|file| Some(file.scene.get("kind")?.as_str()?.to_owned()));
     kind.is_none_or(|kind| kind == "seawall")
@@ -71,7 +71,7 @@ fn bar(data: &Loaded, number: &Number) -> Option<String> {
     let read = |row: &Row| {
         let column = row.impact(first, whole);
         let (bar, value) = (row.error(column)?, row.number(column)?);
-        // Still water moves a wall by next to nothing, of which no share says anything.
+        // Still water hardly moves a wall: a share of such a movement says nothing.
         let still = row.number(&WAVE_HEIGHT_RATIO) == Some(0.0);
         let bar = match relative {
             true if still => return None,
@@ -127,8 +127,8 @@ mod tests {
         );
     }
 
-    /// The story: waves that press too little for a first impact, and trains, had bars in the terminal's table. The page
-    /// said that no case had one.
+    /// The story: waves without a first impact, and wave trains, had bars in the terminal's table.
+    /// The page said that no case had one.
     #[test]
     fn bars_of_the_whole_run_are_told_where_there_is_no_first_impact() {
         let (_directory, mut data) = fixture::read(fixture::fixed());
@@ -146,7 +146,7 @@ mod tests {
         assert_eq!(super::bars(&data).unwrap(), told, "of regular waves the whole run counts");
     }
 
-    /// The story: of a soft wall in still water the bar of X* was "± 2700 %".
+    /// The story: for a soft wall in still water the bar of X* was "± 2700 %".
     #[test]
     fn still_water_has_no_share() {
         let (_directory, mut data) = fixture::read(fixture::movable(&[0.0, 0.5], &[10.0], &[50.0]));

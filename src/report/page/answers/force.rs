@@ -1,4 +1,4 @@
-//! The largest force, and where it is.
+//! The largest force, and the case that has it.
 
 use crate::quantities::Column;
 use crate::quantities::summary::{DOUBTFUL, FIRST_FORCE_MAX, FORCE_MAX, FORCE_MAX_ERROR};
@@ -9,9 +9,9 @@ use crate::report::row::Row;
 use crate::report::scene_file::SceneFile;
 use crate::scene::Scene;
 
-/// A later force is told where it is larger than that of the first impact by more than this share.
+/// A later force is mentioned if it is larger than the first impact's by more than this share.
 const NOTABLE: f64 = 0.02;
-/// Keys that change what F* counts by.
+/// Keys that change the scale of F*.
 const SCALING: [&str; 6] = [
     "bed",
     "still_water_depth_m",
@@ -21,12 +21,12 @@ const SCALING: [&str; 6] = [
     "tank_length_m",
 ];
 
-/// The largest force of a case.
+/// The column with the largest force of a case.
 pub fn column(row: &Row) -> &'static Column {
     row.impact(&FIRST_FORCE_MAX, &FORCE_MAX)
 }
 
-/// The row that has the most of something.
+/// The row with the largest of these values.
 pub fn most<'a>(
     rows: impl Iterator<Item = &'a Row>,
     read: impl Fn(&Row) -> Option<f64>,
@@ -62,18 +62,18 @@ pub fn largest(data: &Loaded, file: Option<&SceneFile>) -> Option<String> {
         text.push_str(" It is that of the first impact.");
         text.push_str(&later(data, force).unwrap_or_default());
     }
-    // Of a case alone its doubts tell as much.
+    // For a single case its doubts are reported elsewhere.
     if row.is(&DOUBTFUL) && !alone {
         text.push_str(" The result is doubtful: look at its history first.");
     }
-    // Last, as all before it is of the other case.
+    // This comes last, as everything before it is about the other case.
     if let Some(other) = other.and_then(told) {
         text.push_str(&format!(" In newtons it is {other}"));
     }
     Some(text)
 }
 
-/// A force of later in a run that is larger still.
+/// A later force in the run that is even larger.
 fn later(data: &Loaded, first: f64) -> Option<String> {
     let (row, force) = most(data.finished(), |row| row.number(&FORCE_MAX))?;
     if force <= first * (1.0 + NOTABLE) {
@@ -89,21 +89,21 @@ pub fn scene(data: &Loaded, file: Option<&SceneFile>, row: &Row) -> Option<Scene
     Some(file?.config(data, index)?.scene)
 }
 
-/// ½ρgd² of a scene, N/m, d being the depth at the wall, or where that stands dry the still water's.
+/// ½ρgd² of a scene, N/m. d is the depth at the wall, or the still water's if the wall stands dry.
 fn scale(scene: &Scene) -> f64 {
     let frame = scene.frame();
     let depth = scene.seawall().map_or(frame.depth, |scene| scene.force_depth_m());
     0.5 * frame.density * frame.acceleration() * depth * depth
 }
 
-/// The depth by which the F* of a row counts, metres, where it is another than that of the still water at the paddle.
+/// The depth that scales the F* of a row, m, if it is not the still water's at the paddle.
 fn depth_at_wall(data: &Loaded, file: Option<&SceneFile>, row: &Row) -> Option<f64> {
     let scene = scene(data, file, row)?;
     let depth = scene.seawall()?.force_depth_m();
     (depth != scene.frame().depth).then_some(depth)
 }
 
-/// The case whose force is the largest in newtons, and its F*, where that is another than the one of the largest F*.
+/// The case with the largest force in newtons, and its F*, if it is not the case of the largest F*.
 fn other_in_newtons<'a>(
     data: &'a Loaded,
     file: Option<&SceneFile>,
@@ -154,12 +154,12 @@ mod tests {
              N/m, m = 250 kg/m. It is that of the first impact. A later one reaches F* = 2.5 at \
              H/h = 0.5, k = 500 N/m, m = 250 kg/m."
         );
-        // Of regular waves none is the first impact, and the largest of all was the smaller of two.
+        // Regular waves have no first impact. The smaller of two forces was called the largest.
         let mut train = Loaded { rows: data.rows.clone(), ..Loaded::default() };
         train.rows[0].regular = true;
         let told = largest(&train, None).unwrap();
         assert_eq!(told, "The largest force is F* = 2.5 at H/h = 0.5, k = 500 N/m, m = 250 kg/m.");
-        // Over a bed F* counts by the depth at the wall, here half of the paddle's.
+        // Over a bed the depth at the wall scales F*. Here it is half of the paddle's.
         let bed = "[scene]\nbed = [[0, 0], [1, 0], [2, 0.2], [2.5, 0.2]]\n";
         data.manifest = Some(json!({ "name": "a", "sweep_file": text.replace("[scene]\n", bed) }));
         let file = SceneFile::of(&data);
@@ -193,7 +193,7 @@ mod tests {
             told.contains(" In newtons it is F* = 2, that is 1.57 kN per metre of wall,"),
             "{told}"
         );
-        // Of a level bed in newtons and a slope in F* the former was told to have a depth of its own at the wall.
+        // The level bed has the most newtons. It was said to have its own depth at the wall.
         data.keys.pop();
         let slope = "[[0, 0], [1, 0], [2, 0.1], [2.5, 0.1]]";
         data.keys.push(Key::new("bed", ["[[0, 0], [2.5, 0]]", slope]));

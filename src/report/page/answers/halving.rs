@@ -13,17 +13,17 @@ use crate::report::row::{Row, label};
 /// Keys that tell walls of one wave apart.
 const OF_THE_WALL: [&str; 3] = [SPRING_STIFFNESS.name, SEAWALL_MASS.name, "wall"];
 
-/// Walls are told one by one up to so many letters.
+/// Walls are listed one by one up to so many letters.
 const LONG: usize = 240;
 
-/// Finished cases that differ in their wall alone, and the one that they are compared with.
+/// Finished cases that differ only in their wall, and the one that the others are compared with.
 struct Group<'a> {
     rows: Vec<&'a Row>,
-    /// The fixed wall, or else the stiffest under its largest force.
+    /// The fixed wall, or else the stiffest wall with the largest force.
     stiffest: &'a Row,
 }
 
-/// Which stiffness and mass halve the largest force, for the wave of the largest force in full;
+/// The stiffness and mass that halve the largest force, in full for the wave of the largest force;
 /// `None` where no walls can be compared.
 pub fn half(data: &Loaded) -> Option<String> {
     let mut groups = groups(data);
@@ -40,7 +40,7 @@ fn force(row: &Row) -> f64 {
     row.number(column(row)).unwrap_or(f64::NAN)
 }
 
-/// The cases by all that is swept but the wall, where a wall has another to be compared with.
+/// The cases grouped by all swept keys but the wall's, if a group has walls to compare.
 fn groups(data: &Loaded) -> Vec<Group<'_>> {
     let keyed = data.placed().map(|(index, row)| {
         let swept = data.keys.iter().filter(|key| !OF_THE_WALL.contains(&key.name.as_str()));
@@ -65,13 +65,13 @@ impl<'a> Group<'a> {
         softer(least).then(|| Group { rows: known().collect(), stiffest })
     }
 
-    /// The movable walls under at most half of the stiffest one's force.
+    /// The movable walls with at most half of the stiffest wall's force.
     fn halved(&self) -> impl Iterator<Item = &'a Row> {
         let half = 0.5 * force(self.stiffest);
         self.rows.iter().copied().filter(move |row| !row.is_fixed() && force(row) <= half)
     }
 
-    /// Those of them that have springs.
+    /// The walls among these that have springs.
     fn springs(&self) -> impl Iterator<Item = &'a Row> {
         self.halved().filter(|row| !row.is_springless())
     }
@@ -81,7 +81,7 @@ impl<'a> Group<'a> {
         let is_fixed = self.stiffest.is_fixed();
         let kind = if is_fixed { "the fixed wall" } else { "the stiffest wall" };
         let place = at(self.stiffest);
-        // Its kind is not said twice.
+        // The wall's kind is not said twice.
         let place = if is_fixed { place.trim_end_matches(", wall = fixed") } else { &place };
         let held = format!("{kind}{place} (F* = {})", number::plain(whole));
         let walls = self.walls();
@@ -99,7 +99,7 @@ impl<'a> Group<'a> {
             return format!("Compared with {held}, the force is halved by {}.", walls.join("; "));
         }
         let least = |row: &Row| Some(-force(row));
-        // Not one that would be told as 100 % of it.
+        // A force that would be printed as 100 % of it does not count.
         let lower = |row: &&Row| !row.is_fixed() && force(row) < 0.995 * whole;
         let lowest = most(self.rows.iter().copied().filter(lower), least);
         let told = lowest.map(|(row, _)| {
@@ -109,7 +109,7 @@ impl<'a> Group<'a> {
         format!("No other wall halves the force on {held}.{}", told.unwrap_or_default())
     }
 
-    /// Masses, each with the stiffnesses that halve the force; equal ones together.
+    /// Masses, each with the stiffnesses that halve the force. Equal lists are joined.
     fn walls(&self) -> Vec<String> {
         let mut walls: Vec<(String, Vec<f64>)> = Vec::new();
         for mass in distinct(self.springs(), &SEAWALL_MASS) {
@@ -140,7 +140,7 @@ impl<'a> Group<'a> {
     }
 }
 
-/// Stiffnesses among all that there are: up to the stiffest of them, or each by its value.
+/// These stiffnesses among all: as a range up to the stiffest, or one by one.
 fn stiffnesses(these: &[f64], all: &[f64]) -> String {
     let words: Vec<_> = these.iter().map(|value| number::plain(*value)).collect();
     match words.last() {
@@ -149,7 +149,7 @@ fn stiffnesses(these: &[f64], all: &[f64]) -> String {
     }
 }
 
-/// The other waves in one sentence, after one that tells of walls that halve the force, or of none.
+/// The other waves in one sentence, after one on walls that halve the force, or on none.
 fn in_brief(groups: &[Group<'_>], after_some: bool) -> String {
     let waves = |halved: bool| {
         let is = |group: &&Group<'_>| group.halved().next().is_some() == halved;
@@ -158,7 +158,7 @@ fn in_brief(groups: &[Group<'_>], after_some: bool) -> String {
     let (some, none) = (waves(true), waves(false));
     let [no_wall, too] =
         if after_some { ["no wall halves it", ", too"] } else { ["no wall halves it either", ""] };
-    // What nobody gave a height is told apart by its number alone.
+    // Waves without a given height have only a number to tell them apart.
     if some.len() + none.len() < groups.len() || groups.iter().any(|one| one.stiffest.unasked) {
         let halved = groups.iter().filter(|group| group.halved().next().is_some()).count();
         let all = counted(groups.len(), "other combination") + " of wave and settings";

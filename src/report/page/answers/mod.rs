@@ -1,5 +1,5 @@
-//! What a study says, in sentences with numbers: each is generated from the rows alone, and one
-//! that the rows cannot fill is left out.
+//! What a study says, in sentences with numbers. Each is made from the rows alone. Sentences
+//! without the rows that they need are left out.
 
 mod aim;
 mod doubts;
@@ -16,10 +16,10 @@ pub use force::most;
 use crate::report::load::Loaded;
 use crate::report::scene_file::SceneFile;
 
-/// What an answer is about, in a word or two, and what is said, as plain text.
+/// The subject of an answer in a word or two, and the answer as plain text.
 pub type Answer = (&'static str, String);
 
-/// All that can be said.
+/// All answers that the data allows.
 pub fn all(data: &Loaded, file: Option<&SceneFile>) -> Vec<Answer> {
     let answers = [
         ("What was run", Some(run::what(data, file))),

@@ -13,10 +13,10 @@ use crate::report::row::Row;
 use crate::report::scene_file::SceneFile;
 use crate::report::study::Key;
 
-/// How many cases, of what, and how many of them are finished.
+/// How many cases there are, what was swept, and how many cases are finished.
 pub fn what(data: &Loaded, file: Option<&SceneFile>) -> String {
     let cases = data.rows.len() + data.left();
-    // What waves and walls do not tell by themselves.
+    // Other kinds of scenes are named: their waves and walls do not show what they are.
     let kind = file.and_then(SceneFile::kind).filter(|kind| *kind != "seawall");
     let mut over: Vec<_> = kind.map(|kind| kind.replace('-', " ")).into_iter().collect();
     over.extend(swept(data).iter().map(key));

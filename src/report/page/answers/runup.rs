@@ -8,8 +8,8 @@ use crate::report::page::words::{at, result};
 use crate::report::row::Row;
 use crate::report::scene_file::SceneFile;
 
-/// The highest runup of such cases over h and in metres, and where the water was taken to end; `None` where water
-/// stands at every wall.
+/// The highest runup of such cases over h and in metres, and how the water's edge was found; `None`
+/// where water stands at every wall.
 pub fn highest(data: &Loaded, file: Option<&SceneFile>) -> Option<String> {
     let dry = data.finished().filter(|row| row.stands_dry());
     let (row, runup) = most(dry, |row| row.number(&RUNUP_MAX))?;
@@ -48,7 +48,7 @@ mod tests {
     use crate::report::page::answers::force;
     use serde_json::json;
 
-    /// The story: of a beach the page told that its largest force was 0, and no runup.
+    /// The story: for a beach the page said that the largest force was 0, and gave no runup.
     #[test]
     fn a_beach_is_told_by_its_runup() {
         let (_directory, mut data) = fixture::read(fixture::fixed());

@@ -1,4 +1,4 @@
-//! The tank and the water that all cases share: what was not swept, values that files left out included.
+//! The tank and the water that all cases share: unswept keys, with values that files left out.
 
 use toml::Table;
 
@@ -12,13 +12,13 @@ use crate::report::load::Loaded;
 use crate::report::page::words::range;
 use crate::scene::{Kind, scene_keys};
 
-/// So many cases are looked at: only what was swept may differ in more of them.
+/// How many cases are looked at: in further cases only swept keys may differ.
 const LOOKED_AT: usize = 50;
 
-/// What is no part of the tank, and what is said with the number of cases.
+/// Keys that are no part of the tank, or are reported with the number of cases.
 const UNSAID: [&str; 2] = ["kind", "history_interval_s"];
 
-/// Every key of the scene that is on and was not swept, with its value; `None` where the files do not tell
+/// Every scene key that is on and was not swept, with its value; `None` where the files do not hold
 /// it.
 pub fn shared(data: &Loaded) -> Option<String> {
     let places: Vec<usize> = (0..data.rows.len()).collect();
@@ -33,15 +33,15 @@ pub fn shared(data: &Loaded) -> Option<String> {
     (!told.is_empty()).then(|| capitalised(&format!("{}.", told.join(", "))))
 }
 
-/// What of the scene looks like a slip, in the words of `seawall check`: who gets the page alone has not read these.
-/// `None` where nothing does.
+/// What looks like a slip in the scene, in the words of `seawall check`. Someone who gets only the
+/// page has not read them. `None` where nothing does.
 pub fn odd(data: &Loaded) -> Option<String> {
     let places: Vec<usize> = (0..data.rows.len()).collect();
     let told = oddities(data, spread(&places, LOOKED_AT).into_iter());
     (!told.is_empty()).then(|| format!("{}.", told.join(". ")))
 }
 
-/// A key and its values, as a sentence has them: `tank length 2.5 m`.
+/// A key and its values in a sentence's words: `tank length 2.5 m`.
 fn value(key: &Key, scenes: &[Table]) -> Option<String> {
     let on = scenes.iter().filter(|scene| key.is_on(scene));
     let values: Vec<_> = on.filter_map(|scene| scene.get(key.name)).collect();
@@ -95,8 +95,8 @@ mod tests {
         );
     }
 
-    /// The story: a run ended before its wave was at the wall, and the page called the force of still water the
-    /// largest and no result doubtful.
+    /// The story: a run ended before its wave reached the wall. The page called the force of still
+    /// water the largest, and no result doubtful.
     #[test]
     fn a_slip_that_check_tells_of_is_on_the_page() {
         let of = |end: &str| {

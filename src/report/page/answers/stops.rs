@@ -5,7 +5,7 @@ use crate::quantities::summary::STOPS;
 use crate::report::load::Loaded;
 use crate::report::row::Row;
 
-/// In how many cases the wall hits its stop, and where the load of that is; `None` where none does.
+/// In how many cases the wall hits its stop, and where this load is found; `None` where none does.
 pub fn hits(data: &Loaded) -> Option<String> {
     let has_stop = |row: &&Row| row.number(&STOPS).is_some() && !row.is_springless();
     let all = data.finished().filter(has_stop).count();
@@ -35,7 +35,7 @@ mod tests {
             said(&["2", "", "0"]).unwrap().starts_with("The wall hits its stop in 1 of 2 cases. ")
         );
         assert!(said(&["3"]).unwrap().starts_with("The wall hits its stop. The load"));
-        // A caisson has none, whatever its row counts.
+        // A caisson has no stop, whatever its row counts.
         let row = |stops: u8| Row::default().with(&STATUS, "ok").with(&STOPS, stops);
         let rows = vec![row(1), row(0).with(&SEAWALL_MASS, 60)];
         let told = hits(&Loaded { rows, ..Loaded::default() }).unwrap();

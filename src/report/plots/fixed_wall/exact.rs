@@ -1,4 +1,4 @@
-//! The exact solitary wave at a wall, and a smooth line through what is known of it.
+//! The exact solitary wave at a wall, and a smooth line through its known values.
 
 /// The exact solitary wave of the Euler equations, reflected by a vertical wall: H/h, runup over
 /// h, and the first peak of F/(½ρgh²). A wave of no height leaves still water.
@@ -12,20 +12,20 @@ const KNOWN: [[f64; 3]; 7] = [
     [0.6, 1.66, 3.489],
 ];
 
-/// Pieces of the line between two known heights.
+/// How many pieces the line has between two known heights.
 const PIECES: u32 = 8;
 
-/// The heights that it is known at.
+/// The wave heights with known values.
 pub fn waves() -> impl Iterator<Item = f64> {
     KNOWN.iter().map(|known| known[0])
 }
 
-/// The line of runup (1) or force (2) over the wave's height: cubics between what is known, which rise where that
-/// rises (Fritsch and Butland 1984).
+/// The line of runup (1) or force (2) over the wave's height. It has cubics between known values,
+/// which rise where those rise (Fritsch and Butland 1984).
 pub fn line(of: usize) -> Vec<(f64, f64)> {
     let rise = |at: usize| (KNOWN[at + 1][of] - KNOWN[at][of]) / (KNOWN[at + 1][0] - KNOWN[at][0]);
     let last = KNOWN.len() - 1;
-    // The heights are evenly spaced: the harmonic mean of both sides.
+    // The heights are evenly spaced, so the slope is the harmonic mean of both sides.
     let slope = |at: usize| match at {
         0 => 1.5 * rise(0) - 0.5 * rise(1),
         _ if at == last => 1.5 * rise(last - 1) - 0.5 * rise(last - 2),
@@ -62,7 +62,7 @@ mod tests {
                 .map(|ends| (ends[1].1 - ends[0].1) / (ends[1].0 - ends[0].0))
                 .collect();
             let turn = slopes.windows(2).map(|pair| (pair[1] - pair[0]).abs()).fold(0.0, f64::max);
-            // Seven straight pieces turned by up to 1.07 and 0.52 at once.
+            // Seven straight pieces had turns of up to 1.07 and 0.52.
             assert!(slopes.iter().all(|slope| *slope > 0.0) && turn < 0.25, "{turn}");
         }
     }

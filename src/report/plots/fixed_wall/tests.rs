@@ -35,16 +35,16 @@ fn a_train_stands_at_its_own_height_and_not_at_its_first_crest() {
     let drawn = |column: &Column| svg.contains(&format!("\"{}\"", column.name));
     assert!(drawn(&WAVE_HEIGHT_RATIO) && !drawn(&MEASURED_WAVE_HEIGHT_RATIO));
     assert!(drawn(&FORCE_MAX) && !drawn(&FIRST_FORCE_MAX));
-    // Goda's points were nobody's: the page's script fell over one under the pointer, and keys ended there.
+    // Goda's points had no case: the page's script failed at one under the pointer, and keys died.
     assert!(svg.contains("by Goda's formula") && !svg.contains("data-case=\"\""), "{svg}");
-    // One that presses too little for a first impact was left out.
+    // A case without a first impact was left out.
     let low = data.rows[0].clone().with(&FIRST_FORCE_MAX, "").with(&FIRST_RUNUP_MAX, "");
     let id = low.id().to_owned();
     data.rows[0] = low;
     assert!(figures(&data).remove(0).svg().contains(&id));
 }
 
-/// The story: a beach had no figure of runup over waves, as no water pressed on the wall behind it.
+/// The story: a beach had no figure of runup over waves, as no water pressed on its dry wall.
 #[test]
 fn a_beach_before_a_dry_wall_has_its_runup_drawn() {
     let (_directory, mut data) = fixture::read(fixture::fixed());
@@ -60,7 +60,7 @@ fn a_beach_before_a_dry_wall_has_its_runup_drawn() {
     let svg = beach.svg();
     assert!(svg.contains("\"runup_max\"") && !svg.contains("\"force_max\""), "{svg}");
     assert!(!svg.contains("Goda") && !svg.contains("exact solitary wave"), "{svg}");
-    // A wave that comes to the wall presses on it.
+    // A wave that reaches the wall presses on it.
     data.rows[0] = data.rows[0].clone().with(&FORCE_MAX, 0.3);
     assert_eq!(figures(&data).remove(0).title, "Runup and force at a fixed wall");
 }

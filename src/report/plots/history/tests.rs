@@ -30,7 +30,7 @@ fn caissons_have_histories_too() {
     let svg = figure.svg();
     assert!(svg.contains("caisson, m = 50 kg/m") && svg.contains("caisson, m = 250 kg/m"));
     assert!(figure.caption.contains("and displacement") && !figure.caption.contains("Shown"));
-    // Beside springs and a fixed wall as well.
+    // Caissons beside springs and a fixed wall have them as well.
     let stiffnesses: Vec<f64> = (0..7).map(|power| 10_f64.powi(power)).collect();
     let (_directory, mut data) = fixture::read(fixture::movable(&[0.5], &stiffnesses, &[50.0]));
     let fixed = data.rows[5].clone().with(&SPRING_STIFFNESS, "").with(&SEAWALL_MASS, "");
@@ -67,7 +67,7 @@ fn cases_of_a_wave_that_differ_in_other_keys_share_a_figure() {
     assert!(caption.contains("at the wall, k = 10 N/m, m = 50 kg/m, over"), "{caption}");
     let told = "Shown are 6 of 21 finished cases of this wave height: spread over their order.";
     assert!(caption.ends_with(told), "{caption}");
-    // Of two walls over each crest a figure tells one crest.
+    // With two walls over each crest, a figure names one crest.
     data.rows.iter_mut().for_each(|row| *row = row.clone().with(&WAVE_HEIGHT_RATIO, 0.3));
     let each = figures(&data).unwrap();
     assert_eq!((each.len(), &*each[0].name), (6, "history-wave-0.3-crest-freeboard-m-0"));
@@ -103,7 +103,7 @@ fn a_fixed_wall_has_two_panels_and_a_caption_of_both() {
     assert!(caption.starts_with("Force (unfiltered) and runup at the wall"), "{caption}");
 }
 
-/// The story: a beach before a dry wall had a panel of a force of naught.
+/// The story: a beach before a dry wall had a panel of a force of 0.
 #[test]
 fn a_wall_that_no_water_comes_to_has_no_panel_of_its_force() {
     let (directory, data) = fixture::read(fixture::fixed());

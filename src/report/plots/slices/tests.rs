@@ -57,7 +57,7 @@ fn a_page_holds_what_a_choice_may_ask_for_and_a_file_does_not() {
     }
 }
 
-/// The story: still water, which has no first impact and moves no wall, had three panels with nothing in them, and
+/// The story: still water has no first impact and moves no wall. It had three empty panels, and
 /// walls without a spring were left out without a word.
 #[test]
 fn what_has_no_place_has_no_panels_and_is_told() {

@@ -7,7 +7,7 @@ use toml::Value;
 use crate::keys::{self, read_value};
 use crate::report::study::Key;
 
-/// What places a bed on the axis, and what stands below that: the one of the two that tells more beds apart.
+/// The function that places a bed, and the axis title: whichever tells more beds apart.
 pub(super) fn measure(key: &Key) -> (fn(&str) -> Option<f64>, &'static str) {
     let values = |of: fn(&str) -> Option<f64>| {
         key.cells.different().filter_map(of).map(f64::to_bits).collect::<HashSet<_>>().len()
@@ -26,7 +26,7 @@ fn points(cell: &str) -> Option<Vec<[f64; 2]>> {
     bed.as_array()?.iter().map(point).collect()
 }
 
-/// Mean slope of a bed from where it leaves the level to the wall; 0 of a level one.
+/// Mean slope of a bed from the end of its level part to the wall; 0 for a level bed.
 pub(super) fn slope(cell: &str) -> Option<f64> {
     let points = points(cell)?;
     let first =

@@ -60,7 +60,7 @@ fn beds_stand_by_their_slopes() {
     assert!(figures[0].caption.contains(told), "depths differ: {}", figures[0].caption);
 }
 
-/// Sills that end at the level of the paddle all have the mean slope 0: a study of them had no figure.
+/// Sills that end at the paddle's level all have the mean slope 0: their study had no figure.
 #[test]
 fn sills_stand_by_their_heights() {
     let (_directory, mut data) = fixture::read(fixture::movable(&[0.3], &[500.0], &[50.0, 100.0]));
@@ -74,7 +74,8 @@ fn sills_stand_by_their_heights() {
     assert!(figures[0].svg().contains("highest place of the bed, m"));
 }
 
-/// Only studies that swept the bed said by which depth F* counts: of 0.12 to 0.28 m of water over one bed it was 0, 95 and 5.
+/// Only studies that swept the bed named the depth that scales F*. Over one bed, F* of 0, 95 and 5
+/// in 0.12 to 0.28 m of water stood without it.
 #[test]
 fn a_sweep_over_a_bed_tells_by_which_depth_forces_count() {
     let (_directory, mut data) = fixture::read(fixture::movable(&[0.3], &[500.0], &[50.0, 100.0]));
@@ -103,12 +104,12 @@ fn scenes_without_a_wave_have_one_curve() {
     assert!(figures[0].svg().contains("column height, m"));
     assert!(!figures[0].svg().contains("H/h"));
     assert!(!figures[0].caption.contains("wave height"));
-    // A column that collapses has no first impact.
+    // A collapsing column has no first impact.
     let told = "runup of the whole run, against";
     assert!(figures[0].caption.contains(told), "{}", figures[0].caption);
 }
 
-/// The story: of regular waves some had a first impact and some had none, and one curve went through both.
+/// The story: some regular waves had a first impact and others not, but one curve joined them.
 #[test]
 fn regular_waves_are_drawn_by_their_whole_runs() {
     let (_directory, mut data) = fixture::read(masses(&[500.0]));
@@ -134,7 +135,7 @@ fn caissons_stand_against_their_waves() {
         assert!(own.svg().contains(word), "{word}");
     }
     assert!(own.caption.contains("largest displacement of the run, against the nominal wave"));
-    // Where another figure has them they are not drawn twice.
+    // They are not drawn twice if another figure has them.
     let friction = Key::new("static_friction", ["0.4", "0.5", "0.6"]);
     assert!(caissons(&data, Some(&friction)).is_empty());
     data.rows.truncate(1);

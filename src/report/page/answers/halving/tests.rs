@@ -69,7 +69,7 @@ fn other_comparisons_without_a_halved_force_are_told_in_words() {
     assert!(study(1.0, 3.0).ends_with(&format!("{none}.")));
 }
 
-/// The story: beside springs a caisson was "k =  N/m with m = 20 kg/m".
+/// The story: beside springs a caisson was written as "k =  N/m with m = 20 kg/m".
 #[test]
 fn a_caisson_that_halves_the_force_is_told_as_one() {
     let caisson = || {
@@ -84,7 +84,7 @@ fn a_caisson_that_halves_the_force_is_told_as_one() {
     assert_eq!(said(&rows).unwrap(), format!("{held} {both}"));
 }
 
-/// The story: where no wall moved, the lowest force was "100 % of it", at the wall that it was compared with.
+/// The story: no wall moved, and the lowest force was "100 % of it", at the very same wall.
 #[test]
 fn walls_under_the_same_force_have_no_lowest() {
     for soft in [2.0, 1.9999999] {
