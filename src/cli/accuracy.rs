@@ -74,7 +74,7 @@ pub(super) fn main(args: &AccuracyArgs, output: &Output) -> anyhow::Result<u8> {
     Ok(if scored.iter().any(|row| row.errors().next().is_none()) { CASES_FAILED } else { SUCCESS })
 }
 
-/// Every pair, then every method over all cases under the name of the group.
+/// A line for every pair, then for every method a line over all cases, named after the group.
 fn table_of(scored: &[Scored], groups: &[(Errors, &Vec<MethodScore>)]) -> String {
     let mut rows = vec![HEADER.map(str::to_owned)];
     let number = |value: Option<f64>| value.map(|value| format!("{value:.4}")).unwrap_or_default();

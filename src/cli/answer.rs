@@ -14,10 +14,10 @@ use crate::report::load::Loaded;
 use crate::report::study::Key;
 use crate::report::{digits_apart, plain_to};
 
-/// Rows of a table shown without `-v`.
+/// How many rows of a table are shown without `-v`.
 const ROWS: usize = 30;
 
-/// What stands under the boundaries.
+/// The text below the boundaries.
 const LEGEND: &str = "met: on which side of it; not before, not after: how far off it may be\n";
 
 /// What was found in a study.
@@ -35,7 +35,7 @@ impl<'a> Answer<'a> {
         Answer { data, found, digits }
     }
 
-    /// For people.
+    /// The answer for people.
     pub(super) fn told(&self, all: bool) -> String {
         let met: Vec<_> = self.found.rows(Verdict::Met).collect();
         let cases = counted(self.data.rows.len(), "case");
@@ -58,7 +58,7 @@ impl<'a> Answer<'a> {
         text
     }
 
-    /// How many of the cases that meet it are doubtful, or near the limit.
+    /// How many of the cases that meet the condition are doubtful, or near the limit.
     fn marks(&self, met: &[usize]) -> String {
         let near = met.iter().filter(|row| self.found.condition.is_near(**row)).count();
         let doubtful = met.iter().filter(|row| self.is_doubtful(**row)).count();
@@ -115,7 +115,7 @@ impl<'a> Answer<'a> {
         }
     }
 
-    /// The cases of which nothing can be told.
+    /// The cases whose verdict is unknown.
     fn unknown(&self, all: bool) -> String {
         let rows: Vec<_> = self.found.rows(Verdict::Unknown).collect();
         if rows.is_empty() {
@@ -130,7 +130,7 @@ impl<'a> Answer<'a> {
         text + &more
     }
 
-    /// The values of the swept keys, but for one.
+    /// The values of the swept keys, except for one.
     fn place(&self, row: usize, but: Option<usize>) -> String {
         let keys = self.data.keys.iter().enumerate().filter(|(key, _)| Some(*key) != but);
         let keys = keys.filter(|(_, key)| !key.cells[row].is_empty());
@@ -142,7 +142,7 @@ impl<'a> Answer<'a> {
         keys.map(part).collect::<Vec<_>>().join(", ")
     }
 
-    /// Those that the condition does not say itself.
+    /// The boundaries that the condition does not state itself.
     fn boundaries(&self, found: &[&Boundary], all: bool) -> String {
         let mut table = Table::new(["along", "met", "not before", "not after", ""]);
         let (shown, more) = first(found, ROWS, all);
@@ -173,7 +173,7 @@ impl<'a> Answer<'a> {
 /// A case's number for people.
 fn reading(reading: Reading) -> String {
     match reading {
-        // Steps and particles.
+        // Counts, such as steps and particles.
         Reading::Value { value, bar: None, bound: false } if value.fract() == 0.0 => {
             value.to_string()
         }
@@ -182,7 +182,7 @@ fn reading(reading: Reading) -> String {
     }
 }
 
-/// What is said of a range that is more than an estimate's.
+/// The words for a range that is not a usual estimate.
 fn basis(basis: Basis) -> &'static str {
     match basis {
         Basis::Bend | Basis::Exact => "",

@@ -35,7 +35,7 @@ pub(super) struct CheckArgs {
     max_error: Option<f64>,
 }
 
-/// Cases listed without `-v`.
+/// How many cases are listed without `-v`.
 const ROWS: usize = 10;
 
 pub(super) fn main(args: &CheckArgs, output: &Output) -> anyhow::Result<u8> {
@@ -59,13 +59,13 @@ pub(super) fn main(args: &CheckArgs, output: &Output) -> anyhow::Result<u8> {
 pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::Result<u8> {
     let expected = Expected::of(study, branching)?;
     let rows = if output.verbose { usize::MAX } else { ROWS };
-    // Of a million cases the list is long, and nobody reads it elsewhere.
+    // For a million cases the list is long, and only JSON holds it.
     let listed = if output.is_json() { &study.cases[..] } else { &[] };
     output.result(&(first_cases(study, rows) + &expected.told()), &expected.json(listed))?;
     Ok(SUCCESS)
 }
 
-/// A table of so many cases, and how many more there are.
+/// A table of the first `rows` cases, and the number of further ones.
 fn first_cases(study: &Study, rows: usize) -> String {
     let mut table =
         Table::new(["case", "id"].into_iter().chain(study.keys.iter().map(String::as_str)));

@@ -1,4 +1,4 @@
-//! `sweep` of a large study that is finished: its end is told again from what it has left.
+//! `sweep` of a large finished study: its final messages are printed again from its files.
 
 use std::path::Path;
 
@@ -10,16 +10,16 @@ use crate::keys::named;
 use crate::results::{Closing, Lock, Program, Savings, checksum_of};
 use crate::study::{PHYSICS_VERSION, SweepFile};
 
-/// What decides how a finished study's end is told.
+/// What decides how a finished study's end is reported.
 pub(super) struct Asked {
-    /// Over the build, the file and what the command line set.
+    /// A checksum over the build, the file and the settings of the command line.
     sum: String,
     films: Vec<String>,
 }
 
 impl Asked {
-    /// `None` where more counts than the file itself: points that are added, numerics that are chosen, a stroke in a
-    /// file of its own.
+    /// `None` where more than the file itself counts: points that are added, numerics that are
+    /// chosen, or a stroke in its own file.
     pub(super) fn of(file: &SweepFile, overrides: &[String], films: &[String]) -> Option<Asked> {
         if file.names_stroke() || file.refine.is_some() || file.max_error_percent.is_some() {
             return None;
@@ -33,8 +33,8 @@ impl Asked {
         Some(Asked { sum: checksum_of(pieces), films })
     }
 
-    /// Tells the end of a study again whose directory has not changed since; the exit code. `None` where it has to
-    /// be opened.
+    /// Reports a study's end again if its directory has not changed. Returns the exit code; `None`
+    /// where the study has to be opened.
     pub(super) fn tell(
         &self,
         out: &Path,
@@ -54,12 +54,12 @@ impl Asked {
         Ok(Some(if closing.failed > 0 { CASES_FAILED } else { SUCCESS }))
     }
 
-    /// How a finished study's end is told once it is closed; `None` of a small one.
+    /// What is kept for reporting a study's end once it is closed; `None` for a small study.
     pub(super) fn closing(&self, job: &Job, done: &mut Done) -> Option<Closing> {
         if job.study.cases.len() <= Closing::ABOVE {
             return None;
         }
-        // Of this process's own work nothing is told again.
+        // This process's own work is not reported again.
         (done.wall_time_s, done.film_time_s, done.savings) = (None, 0.0, Savings::default());
         let told = overview::of_cases(job, done, false);
         Some(Closing::new(&self.sum, &self.films, done.failed(), told))

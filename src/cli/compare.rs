@@ -37,7 +37,7 @@ pub(super) struct CompareArgs {
     out: Option<PathBuf>,
 }
 
-/// Cases shown without `-v`.
+/// How many cases are shown without `-v`.
 const ROWS: usize = 10;
 
 pub(super) fn main(args: &CompareArgs, output: &Output) -> anyhow::Result<u8> {
@@ -143,26 +143,26 @@ fn tallies(comparison: &Comparison, shared: &[&str]) -> String {
     table.render()
 }
 
-/// A pair's point without what all pairs have in common.
+/// A pair's point without the parts that all pairs share.
 fn place(shared: &[&str], pair: &Pair) -> String {
     let told: Vec<_> = parts(pair).filter(|part| !shared.contains(part)).collect();
     if told.is_empty() { pair.words.clone() } else { told.join(", ") }
 }
 
-/// What all pairs have in common, where they differ in anything.
+/// The parts that all pairs share, if pairs differ in other parts.
 fn in_all(comparison: &Comparison, shared: &[&str]) -> String {
     let differs = comparison.pairs.first().is_some_and(|pair| parts(pair).count() > shared.len());
     if differs { shared.join(", ") } else { String::new() }
 }
 
-/// What all pairs have in common.
+/// The parts that all pairs share.
 fn shared(comparison: &Comparison) -> Vec<&str> {
     let Some((first, others)) = comparison.pairs.split_first() else { return Vec::new() };
     let in_all = |part: &&str| others.iter().all(|other| parts(other).any(|own| own == *part));
     parts(first).filter(in_all).collect()
 }
 
-/// What a point's words are made of; a bed is one word, with all its commas.
+/// The parts of a point's words. A bed is one part, with all its commas.
 fn parts(pair: &Pair) -> impl Iterator<Item = &str> {
     let mut depth = 0;
     pair.words
@@ -173,18 +173,18 @@ fn parts(pair: &Pair) -> impl Iterator<Item = &str> {
         .map(str::trim_start)
 }
 
-/// A size to so many decimals, and nothing without a sign: values of two builds may differ in their last digit.
+/// A size to so many decimals; zero has no sign, as two builds may differ in the last digit.
 fn to_places(size: f64, decimals: i32) -> f64 {
     let whole = 10_f64.powi(decimals);
     (size * whole).round() / whole + 0.0
 }
 
-/// What sizes are told in.
+/// The unit of sizes.
 fn unit(unit: Unit) -> &'static str {
     if unit == Unit::Runup { "h" } else { "%" }
 }
 
-/// The pairs with the largest differences first; a hundredth of the depth counts as a percent.
+/// The pairs with the largest differences come first. A hundredth of the depth counts as a percent.
 fn cases(comparison: &Comparison, shared: &[&str], all: bool) -> String {
     let mut pairs: Vec<&Pair> = comparison.pairs.iter().collect();
     let size = |pair: &Pair| {
@@ -196,7 +196,7 @@ fn cases(comparison: &Comparison, shared: &[&str], all: bool) -> String {
     };
     pairs.sort_by(|a, b| size(b).total_cmp(&size(a)));
     let (shown, more) = first(&pairs, ROWS, all);
-    // No fixed wall has a displacement: what no pair has is no column.
+    // Columns without values are left out: fixed walls have no displacement.
     let has = |at: &usize| pairs.iter().any(|pair| pair.differences[*at].is_some());
     let columns: Vec<usize> = (0..COMPARED.len()).filter(has).collect();
     let heads = columns.iter().flat_map(|&at| {

@@ -1,4 +1,4 @@
-//! `seawall completions` and `seawall man`: what a shell and `man` want to know of this program.
+//! `seawall completions` and `seawall man`: descriptions of this program for a shell and for `man`.
 
 use std::path::PathBuf;
 
@@ -46,7 +46,7 @@ pub(super) fn completions(
     Ok(SUCCESS)
 }
 
-/// What a shell offers: all but what the program says to itself. Scripts have hidden commands, too.
+/// The commands that people use. Completion scripts would show hidden commands, too.
 fn offered(command: &Command) -> Command {
     let for_people = command.get_subcommands().filter(|one| !one.is_hide_set()).cloned();
     let plain = Command::new("seawall").version(env!("CARGO_PKG_VERSION")).propagate_version(true);

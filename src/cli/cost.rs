@@ -1,4 +1,4 @@
-//! What a study will cost: time and memory, for the eye.
+//! The expected cost of a study: time and memory, for people.
 
 use crate::execute::available_cores;
 use crate::math::simd::SimdPath;
@@ -6,7 +6,7 @@ use crate::scene::{CaseConfig, Scheme};
 use crate::simulation::cost;
 use crate::study::{Plan, Study};
 
-/// Seconds on the cores of this machine, and how many these are.
+/// Seconds on the cores of this machine, and the number of these cores.
 pub(super) fn estimated_time(study: &Study, plan: &Plan) -> (f64, usize) {
     let cores = available_cores();
     (processor_time(study, plan) / cores.min(study.run_count()).max(1) as f64, cores)
@@ -24,13 +24,13 @@ pub(super) fn seconds_of_a_core(study: &Study) -> f64 {
     processor_time(study, &Plan::new(study, false, cost, |_| true))
 }
 
-/// The same of all cases of a study.
+/// Seconds for all cases of a study, and the number of cores.
 pub(super) fn time_of_all(study: &Study) -> (f64, usize) {
     estimated_time(study, &Plan::new(study, true, cost, |_| true))
 }
 
-/// Seconds that one core takes for a plan. Within a factor of two on the machines that it was
-/// measured on: an AMD EPYC (Zen 5) is faster, an Intel Xeon (Sapphire Rapids) slower.
+/// Seconds that one core takes for a plan. They are within a factor of two on the measured
+/// machines: an AMD EPYC (Zen 5) is faster, an Intel Xeon (Sapphire Rapids) slower.
 fn processor_time(study: &Study, plan: &Plan) -> f64 {
     let time = |cost: u64, config: &CaseConfig| {
         let numerics = &config.numerics;
@@ -57,15 +57,15 @@ fn of_full_steps(substeps: u32) -> f64 {
     0.5 + 1.5 / f64::from(substeps)
 }
 
-/// What steps take with supports of so many spacings, over those of five. Three quarters of the time go with the
-/// neighbours (docs/performance.md).
+/// The time with supports of so many spacings, over that with five. Neighbours take three quarters
+/// of the time (docs/performance.md).
 fn of_supports(ratio: f64) -> f64 {
     0.26 + 0.74 * (ratio / 5.0).powi(2)
 }
 
-/// Particle-steps per second and core. Those of δ-SPH, with supports of five spacings and every third step a full
-/// one, lie between the two machines of docs/measured.md. Those of incompressible water are what the EPYC took for
-/// `sweeps/scenes/movable_wall.toml` at 12.5 mm.
+/// Particle-steps per second and core. Those of δ-SPH, with supports of five spacings and one full
+/// step in three, lie between the two machines of docs/measured.md. Those of incompressible water
+/// are from the EPYC for `sweeps/scenes/movable_wall.toml` at 12.5 mm.
 fn particle_steps_per_second(scheme: Scheme, simd: SimdPath) -> f64 {
     match (scheme, simd) {
         (Scheme::Isph, SimdPath::Portable) => 3.5e5,
@@ -76,7 +76,7 @@ fn particle_steps_per_second(scheme: Scheme, simd: SimdPath) -> f64 {
     }
 }
 
-/// Bytes for the human eye: `15.2 MiB`, `28.0 GiB`.
+/// Bytes for people: `15.2 MiB`, `28.0 GiB`.
 pub(super) fn binary(bytes: u64) -> String {
     let mebibytes = bytes as f64 / f64::from(1 << 20);
     if mebibytes < 1024.0 {

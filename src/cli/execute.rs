@@ -1,4 +1,4 @@
-//! Running a study in its output directory: what `sweep` and `run` have in common.
+//! Runs a study in its output directory: code that `sweep` and `run` share.
 
 use std::time::{Duration, Instant};
 
@@ -20,7 +20,7 @@ use crate::scene::CaseConfig;
 use crate::simulation::{Cost, cost};
 use crate::study::{Case, CaseId, Plan};
 
-/// Runs what of a study is missing on the threads of this process; a film is one of its first case.
+/// Runs the missing part of a study on the threads of this process. A film shows its first case.
 pub(super) fn on_threads(
     job: &Job,
     threads: Option<u16>,
@@ -45,7 +45,7 @@ pub(super) fn on_threads(
     Ok(threads::with_crew(&setup, |crew| execute(job, crew, &interrupt, output))?)
 }
 
-/// Runs what of a study is missing in its output directory.
+/// Runs the missing part of a study in its output directory.
 pub(super) fn execute(
     job: &Job,
     crew: &mut dyn Crew,
@@ -54,7 +54,7 @@ pub(super) fn execute(
 ) -> Result<Done, SweepError> {
     let anew = job.mode == OpenMode::Fresh || !job.out.join("journal.jsonl").exists();
     if anew {
-        // Before anything is written or moved aside.
+        // These checks come before anything is written or moved aside.
         share_threads(job, job.study.run_count(), crew);
         demand_memory(job.study.runs(), crew)?;
     }
@@ -62,7 +62,7 @@ pub(super) fn execute(
     let missing = directory.runs().iter().filter(|record| record.is_none()).count();
     let tallies = tallies(&directory, job.study.cases.len());
     tell_opened(&opened, job, tallies, output);
-    // One who died before it had a manifest has done nothing.
+    // A run that died before it had a manifest has done nothing.
     let began = matches!(opened, Opened::Resumed(done) if missing == 0 || done > 0);
     let damage = Manifest::damage(&job.out).filter(|_| began);
     if let Some(what) = damage {
@@ -109,7 +109,7 @@ pub(super) fn execute(
     Ok(Done { directory, ending, savings, wall_time_s, film_time_s: 0.0 })
 }
 
-/// Opens the output directory, and tells what is found there.
+/// Opens the output directory, and reports what is found there.
 fn open(job: &Job, crew: &dyn Crew, output: &Output) -> Result<(Directory, Opened), SweepError> {
     let (mut directory, opened) =
         Directory::open(&job.out, &job.study, job.mode, job.simd, crew.widest_simd())?;
@@ -129,8 +129,8 @@ fn open(job: &Job, crew: &dyn Crew, output: &Output) -> Result<(Directory, Opene
     Ok((directory, opened))
 }
 
-/// Makes the tables of a study of which nothing is missing. They follow the file, which may ask for other error bars than
-/// before. The manifest has to tell the same file, or `verify` and `report` would make other tables.
+/// Makes the tables of a complete study. The file may now ask for other error bars than before. The
+/// manifest has to hold this file, or `verify` and `report` would make other tables.
 fn all_there(job: &Job, mut directory: Directory, damaged: bool) -> Result<Done, SweepError> {
     let manifest = Manifest::new(&job.out, &job.study, &job.overrides, directory.simd());
     if damaged {
@@ -144,14 +144,14 @@ fn all_there(job: &Job, mut directory: Directory, damaged: bool) -> Result<Done,
     Ok(Done { directory, ending, savings, wall_time_s: None, film_time_s: 0.0 })
 }
 
-/// What is missing, and which stretches of it are shared.
+/// The cases that are missing, and the trunks that they share.
 fn plan_of_missing(job: &Job, directory: &Directory, output: &Output) -> Plan {
     let kept = directory.kept();
     if !kept.is_empty() {
         let cases = counted(kept.len(), "checkpoint");
         output.note(format_args!("{cases} of cases that had begun"));
     }
-    // A case with a state of its own needs no shared stretch.
+    // A case with its own saved state needs no trunk.
     let cost_left = |config: &CaseConfig| {
         let cost = cost(config);
         let alone = !kept.is_empty() && kept.contains(&CaseId::of(config));
@@ -184,7 +184,7 @@ fn begin_session(
     Ok(manifest)
 }
 
-/// What the manifest tells of its last session, once that has ended.
+/// Writes into the manifest what is known of the last session once it has ended.
 fn end_session(manifest: &mut Manifest, worked: Worked, wall_time_s: f64) {
     let Some(session) = manifest.sessions.last_mut() else { return };
     session.ended = Some(timestamp());
@@ -195,15 +195,15 @@ fn end_session(manifest: &mut Manifest, worked: Worked, wall_time_s: f64) {
     session.ending = Some(word.to_owned());
 }
 
-/// Threads that so many runs would leave idle work within them, where the job wants that.
+/// Lets threads that so many runs leave idle work within the runs, if the job wants that.
 fn share_threads(job: &Job, runs: usize, crew: &mut dyn Crew) {
     if job.shares_threads {
         crew.share_threads(runs);
     }
 }
 
-/// Makes sure that as many cases as run at once on this machine fit into it, and those of a rank into the address
-/// space that it may take.
+/// Checks memory: the cases that run at once must fit into this machine, and a rank's cases into
+/// its allowed address space.
 fn demand_memory<'a>(
     runs: impl Iterator<Item = &'a Case>,
     crew: &dyn Crew,

@@ -16,7 +16,7 @@ pub(super) enum Executor {
     Mpi,
 }
 
-/// Whether it is MPI that does.
+/// Whether MPI does the work.
 pub(super) fn choose(
     executor: Executor,
     launcher: Launcher,

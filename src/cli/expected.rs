@@ -1,4 +1,4 @@
-//! What is known of a study before it runs: the physics that is on, what it costs, and what is odd about it.
+//! What is known of a study before it runs: its physics, its cost, and odd values.
 
 use std::collections::BTreeMap;
 
@@ -16,10 +16,10 @@ use crate::scene::limits;
 use crate::simulation::{Cost, cost};
 use crate::study::{Case, Plan, Study};
 
-/// Cases that are looked at in one go.
+/// How many cases are looked at in one go.
 const CHUNK: usize = 4096;
 
-/// The least and the most that a case has of something.
+/// The least and the largest value among the cases.
 type Range = (u64, u64);
 
 pub(super) struct Expected<'a> {
@@ -29,18 +29,18 @@ pub(super) struct Expected<'a> {
     steps: Range,
     memory_bytes: Range,
     plan: Plan,
-    /// On so many cores.
+    /// The expected time on so many cores.
     seconds: f64,
     cores: usize,
-    /// The largest error that the file asks for, percent, and how long it may take to get there, seconds.
+    /// The error that the file aims at, percent, and the longest time for it, seconds.
     aim: Option<(f64, f64)>,
     warnings: Vec<String>,
-    /// Known limits that the study runs into, with the number of cases.
+    /// Known limits that the study reaches, with the number of cases.
     limits: BTreeMap<&'static str, usize>,
 }
 
 impl Expected<'_> {
-    /// Of a study whose cases share trunks, or run from rest one by one.
+    /// For a study whose cases share trunks, or run from rest one by one.
     pub(super) fn of(study: &Study, branching: bool) -> anyhow::Result<Expected<'_>> {
         let [particles, steps, memory_bytes] = ranges(study);
         let plan = Plan::new(study, branching, cost, |_| true);
@@ -65,7 +65,7 @@ impl Expected<'_> {
         })
     }
 
-    /// Line by line.
+    /// The lines for people.
     pub(super) fn told(&self) -> String {
         let (study, plan) = (self.study, &self.plan);
         let line = |name: &str, value: String| format!("{name:<19} {value}\n");
@@ -110,7 +110,7 @@ impl Expected<'_> {
         format!("{time} on {cores}{}{films}", again.unwrap_or_default())
     }
 
-    /// The same for programs, with these cases.
+    /// The same for programs, with the listed cases.
     pub(super) fn json(&self, listed: &[Case]) -> Value {
         let (study, plan) = (self.study, &self.plan);
         let case = |case: &Case| {
@@ -140,7 +140,7 @@ impl Expected<'_> {
     }
 }
 
-/// The least and the most that a case has of particles, steps and bytes.
+/// The least and the largest number of particles, steps and bytes of a case.
 fn ranges(study: &Study) -> [Range; 3] {
     let costs = study.cases.par_iter().map(|case| {
         let Cost { particles, steps, memory_bytes, .. } = cost(&case.config);
@@ -152,7 +152,7 @@ fn ranges(study: &Study) -> [Range; 3] {
     costs.reduce_with(wider).unwrap_or_default()
 }
 
-/// Known limits, with the number of cases.
+/// Known limits that cases reach, with the number of cases.
 fn known_limits(study: &Study) -> BTreeMap<&'static str, usize> {
     let chunks = study.cases.par_chunks(CHUNK);
     let chunks = chunks.map(|cases| counts(cases.iter().flat_map(|case| limits(&case.config))));

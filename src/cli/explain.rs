@@ -57,9 +57,9 @@ pub(super) fn main(args: &ExplainArgs, output: &Output) -> anyhow::Result<u8> {
     Ok(SUCCESS)
 }
 
-/// Characters of a line.
+/// The width of a line, characters.
 const WIDTH: usize = 80;
-/// Before a meaning, a unit or a default.
+/// The column where a meaning, a unit or a default begins.
 const INDENT: usize = 11;
 
 fn explained(entry: &Entry) -> String {
@@ -83,7 +83,7 @@ fn explained(entry: &Entry) -> String {
     text
 }
 
-/// Names and units, a heading before each group.
+/// Names and units, with a heading for each group.
 fn list(all: &[Entry]) -> String {
     let mut text = String::new();
     let mut group = "";

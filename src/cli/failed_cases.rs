@@ -10,10 +10,10 @@ use crate::math::name::name_of;
 use crate::math::words::counted;
 use crate::results::Fared;
 
-/// Values of a key that are listed where cases failed.
+/// How many values of a key are listed for failed cases.
 const MOST_VALUES: usize = 20;
 
-/// How many cases of each value of each swept key.
+/// How many failed cases each value of each swept key has.
 #[derive(Default, Serialize)]
 pub(super) struct FailedCases {
     reason: String,
@@ -23,7 +23,7 @@ pub(super) struct FailedCases {
 }
 
 impl FailedCases {
-    /// Those of some runs, kind by kind.
+    /// Groups failed runs by kind.
     pub(super) fn of(failed: &[&Fared]) -> Vec<FailedCases> {
         let mut groups: BTreeMap<_, FailedCases> = BTreeMap::new();
         for record in failed {
@@ -42,7 +42,7 @@ impl FailedCases {
         groups.into_values().collect()
     }
 
-    /// For people.
+    /// The table for people.
     pub(super) fn told(&self) -> String {
         let mut table = Table::default();
         for (key, values) in &self.values {

@@ -1,4 +1,4 @@
-//! From an error to one line on standard error, an object for programs, and an exit code.
+//! Turns an error into one line on standard error, an object for programs, and an exit code.
 
 use std::io::ErrorKind::{
     self, AlreadyExists, IsADirectory, NotADirectory, PermissionDenied, ReadOnlyFilesystem,
@@ -17,30 +17,30 @@ use crate::report::ReportError;
 use crate::results::SweepError;
 use crate::scene::ConfigError;
 
-/// Something that the user can put right.
+/// A fault that the user can put right.
 #[derive(Debug, thiserror::Error)]
 #[error("{0}")]
 pub(super) struct BadInput(pub(super) String);
 
 impl BadInput {
-    /// Something that is wrong with a file or directory.
+    /// A fault in a file or directory.
     pub(super) fn of(path: &Path, reason: impl std::fmt::Display) -> BadInput {
         BadInput(format!("{}: {reason}", named(path)))
     }
 
-    /// Something that is wrong with the sweep file that an output directory was made from.
+    /// A fault in the sweep file that an output directory was made from.
     pub(super) fn of_stored(directory: &Path, error: &ConfigError) -> BadInput {
         BadInput::of(directory, format_args!("sweep_file in manifest.json: {error}"))
     }
 }
 
-/// What stands in the way of a study's file is bad input: until it is put right, no command goes on there. Of
-/// all other kinds of errors the machine has failed, and the place is not wrong.
+/// Something in the way of a study's file is bad input: no command can go on until the user removes
+/// it. All other kinds of errors are the machine's, and the place is not at fault.
 pub(super) fn in_the_way(error: anyhow::Error) -> anyhow::Error {
     told_as_bad_input(error, |kind| matches!(kind, AlreadyExists | IsADirectory | NotADirectory))
 }
 
-/// The same where a directory may not be written.
+/// The same, and also for a directory that must not be written.
 pub(super) fn not_writable(error: impl Into<anyhow::Error>) -> anyhow::Error {
     let error = in_the_way(error.into());
     told_as_bad_input(error, |kind| matches!(kind, PermissionDenied | ReadOnlyFilesystem))
@@ -63,7 +63,7 @@ fn told_as_bad_input(error: anyhow::Error, is_bad: fn(ErrorKind) -> bool) -> any
     BadInput::of(path, told).into()
 }
 
-/// A value in a file that the user can put right.
+/// A fault in a file's value that the user can put right.
 #[derive(Debug, thiserror::Error)]
 #[error("{}: {error}", named(path))]
 pub(super) struct BadFile {
@@ -78,7 +78,7 @@ impl BadFile {
     }
 }
 
-/// Tells an error, on rank 0 only, and turns it into the exit code.
+/// Reports an error, on rank 0 only, and turns it into the exit code.
 pub(super) fn exit_code(result: anyhow::Result<u8>, launcher: Launcher, as_json: bool) -> u8 {
     let error = match result {
         Ok(code) => return code,
@@ -92,12 +92,12 @@ pub(super) fn exit_code(result: anyhow::Result<u8>, launcher: Launcher, as_json:
     if as_json {
         print(&object(&error, &line, code));
     }
-    // Where nobody listens there is nobody to tell.
+    // If standard error is closed, nobody can be told.
     let _ = writeln!(std::io::stderr(), "error: {line}");
     code
 }
 
-/// Tells a command line that was not understood to a program that reads JSON.
+/// Reports a command line that was not understood to a program that reads JSON.
 pub(super) fn print_usage(message: &str) {
     let lines = message.lines().map(str::trim).take_while(|line| {
         !line.starts_with("Usage:") && !line.starts_with("For more information")
@@ -108,7 +108,7 @@ pub(super) fn print_usage(message: &str) {
     print(&json!({ "error": { "kind": "usage", "message": message, "exit_code": BAD_INPUT } }));
 }
 
-/// Tells a panic to a program that reads JSON.
+/// Reports a panic to a program that reads JSON.
 pub(super) fn print_internal(message: &str) {
     print(&json!({ "error": { "kind": "internal", "message": message, "exit_code": INTERNAL } }));
 }
@@ -124,12 +124,12 @@ fn is_bad_input(error: &anyhow::Error) -> bool {
     refused || damaged || error.is::<BadInput>() || error.is::<BadFile>()
 }
 
-/// The error as an object: file, key, value and what is allowed where they are known.
+/// The error as an object: file, key, value and allowed values, as far as known.
 fn object(error: &anyhow::Error, message: &str, code: u8) -> Value {
     let kind = if code == BAD_INPUT { "bad-input" } else { "internal" };
     let mut told = json!({ "kind": kind, "message": message, "exit_code": code });
     if let Some(BadFile { path, error }) = error.downcast_ref() {
-        // Of the file itself, or of the one that a value names.
+        // The line is in the file itself, or in the file that a value names.
         let (line, key) = line_and_rest(&error.key);
         let (line_there, allowed) = line_and_rest(&error.allowed);
         told["file"] = json!(json_path(path));
@@ -146,7 +146,7 @@ fn object(error: &anyhow::Error, message: &str, code: u8) -> Value {
     json!({ "error": told })
 }
 
-/// The line that a text begins with, and what follows.
+/// The line number at the start of a text, and the rest of the text.
 fn line_and_rest(text: &str) -> (Option<u64>, &str) {
     let (line, rest) = text.split_once(": ").unwrap_or((text, ""));
     match line.strip_prefix("line ").and_then(|line| line.parse().ok()) {
@@ -155,7 +155,7 @@ fn line_and_rest(text: &str) -> (Option<u64>, &str) {
     }
 }
 
-/// An error and its causes, without those that it names itself.
+/// An error and its causes, without causes that the line ends with already.
 fn told(error: &anyhow::Error) -> String {
     let mut line = String::new();
     for cause in error.chain() {
@@ -169,7 +169,7 @@ fn told(error: &anyhow::Error) -> String {
     line
 }
 
-/// The reader has left, as `head` does: nothing is wrong.
+/// Whether the reader has left, as `head` does. This is no fault.
 fn is_broken_pipe(error: &anyhow::Error) -> bool {
     let system = error.downcast_ref::<std::io::Error>();
     system.is_some_and(|error| error.kind() == ErrorKind::BrokenPipe)

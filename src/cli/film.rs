@@ -48,7 +48,7 @@ pub(super) fn main(args: &FilmArgs, output: &Output) -> anyhow::Result<u8> {
         resources: Resources { simd, threads: threads(args.threads) },
         interrupt: &Interrupt::listen()?,
     };
-    // Before anything runs: whether its seal can be written.
+    // This checks before anything runs that the seal can be written.
     Derived::renew(&args.dir, &[]).map_err(not_writable)?;
     let shot = set.shoot(case).map_err(not_writable)?;
     shot.tell(case, output);
@@ -60,12 +60,12 @@ pub(super) fn main(args: &FilmArgs, output: &Output) -> anyhow::Result<u8> {
     Ok(shot.code())
 }
 
-/// The threads asked for, or all that there are.
+/// The threads asked for, or all of this machine.
 pub(super) fn threads(asked: Option<u16>) -> usize {
     asked.map_or_else(available_cores, usize::from)
 }
 
-/// The folder of films in an output directory, and what they show.
+/// The folder of films in an output directory, and the colours of films.
 pub(super) fn page(directory: &Path, colour: Colour) -> PageFilm {
     PageFilm { colour, folder: directory.join("films") }
 }
@@ -73,7 +73,7 @@ pub(super) fn page(directory: &Path, colour: Colour) -> PageFilm {
 /// Where and how cases are filmed again.
 pub(super) struct Set<'a> {
     pub(super) study: &'a Study,
-    /// Of its finished cases and companions, in the order of [`Study::runs`].
+    /// Records of finished cases and companions, in the order of [`Study::runs`].
     pub(super) records: &'a [Option<CaseRecord>],
     pub(super) directory: &'a Path,
     pub(super) colour: Colour,
@@ -81,19 +81,19 @@ pub(super) struct Set<'a> {
     pub(super) interrupt: &'a Interrupt,
 }
 
-/// What came of filming a case.
+/// The result of filming a case.
 pub(super) enum Shot {
-    /// The page, of a run that came out the same.
+    /// The film's page. The run came out the same.
     Filmed(PathBuf),
     Interrupted,
     /// Why there is no film.
     NotFilmed(String),
-    /// Where the run did not come out the same; there is no film.
+    /// The place where the run came out differently; there is no film.
     Differs(String),
 }
 
 impl Shot {
-    /// Tells what came of it.
+    /// Reports the result.
     pub(super) fn tell(&self, case: &Case, output: &Output) {
         let id = case.id;
         match self {
@@ -132,7 +132,7 @@ impl Set<'_> {
         page(self.directory, self.colour).files(case.id)
     }
 
-    /// Runs a case again and films it; a film is kept only where the results are those of the study.
+    /// Runs a case again and films it. The film is kept only if the results are those of the study.
     pub(super) fn shoot(&self, case: &Case) -> anyhow::Result<Shot> {
         let shot = self.film(case);
         Derived::renew(self.directory, &self.files(case))?;

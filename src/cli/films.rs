@@ -1,4 +1,4 @@
-//! `sweep --film`: which cases of a study are filmed, and filming them once the results are there.
+//! `sweep --film`: chooses cases of a study, and films them once the results are there.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -19,16 +19,16 @@ use crate::results::Derived;
 use crate::simulation::Resources;
 use crate::study::{Case, Study};
 
-/// A case that took longer than this is filmed only where it is named, seconds.
+/// Cases that took longer than this are filmed only if they are named, seconds.
 const LONGEST_S: f64 = 60.0;
 
-/// Checks what is to be filmed before anything runs, and tells the places in the study of the cases that are named.
+/// Checks the choice of films before anything runs. Returns the places of named cases in the study.
 pub(super) fn check(words: &[String], study: &Study) -> Result<Places, BadInput> {
     let cases = words.iter().filter(|word| !matches!(word.as_str(), "auto" | "none"));
     cases.map(|word| Ok((word.clone(), named(study, word)?.index))).collect()
 }
 
-/// Where in a study words have named a case.
+/// The place in a study of the case that a word names.
 pub(super) type Places = BTreeMap<String, usize>;
 
 fn named<'a>(study: &'a Study, word: &str) -> Result<&'a Case, BadInput> {
@@ -38,7 +38,7 @@ fn named<'a>(study: &'a Study, word: &str) -> Result<&'a Case, BadInput> {
     case.map_err(|error| BadInput(format!("--film {word}: {error}")))
 }
 
-/// The films of a directory, those of earlier calls among them.
+/// The films of a directory, with those of earlier calls.
 pub(super) fn pages(directory: &Path) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(directory.join("films")).into_iter().flatten().flatten();
     let paths = entries.map(|entry| entry.path());
@@ -49,9 +49,9 @@ pub(super) fn pages(directory: &Path) -> Vec<PathBuf> {
     pages
 }
 
-/// Runs the cases again that are to be filmed, one after the other. No film costs a result: what cannot
-/// be filmed is told. Words that name no case any more name the one at their place. The exit code is what the films ask
-/// for; the seconds are what they took.
+/// Films cases one after the other by running them again. No film costs a result: what cannot be
+/// filmed is reported. Words that name no case any more stand for the case at their place. Returns
+/// the films' exit code, and the seconds that they took.
 pub(super) fn make(
     words: &[String],
     places: &Places,
@@ -107,7 +107,7 @@ pub(super) fn make(
     Ok((code, if filmed_any { start.elapsed().as_secs_f64() } else { 0.0 }))
 }
 
-/// What is asked for; what is worth a look has no second film, and takes no long time.
+/// The cases to film. Those of `auto` must be short and have no film yet, unless it is damaged.
 fn wanted<'a>(
     words: &[String],
     places: &Places,

@@ -7,9 +7,9 @@ use crate::quantities::{Quantity, energy, envelope, history, named, summary, wav
 use crate::scene::{Kind, numerics_keys, probe_keys, scene_keys};
 use crate::study::{accuracy_keys, limits_keys, refine_keys};
 
-/// Where the keys of `refine` stand.
+/// The place of the keys of `refine`.
 const REFINE: &str = "key of [grid] refine";
-/// Where those of a kind of scenes stand, before its name.
+/// The place of the keys of a kind of scenes, without the kind's name.
 const KIND: &str = "key of [scene], kind =";
 
 /// A key or a column.
@@ -41,8 +41,8 @@ pub(super) struct Entry {
 }
 
 impl Entry {
-    /// Whether somebody means this one; a key may have its section before it, and a column of a time is
-    /// explained with the value that it belongs to.
+    /// Whether this entry is meant by a name. A key may have its section before it. A column of a
+    /// time is explained with the value that it belongs to.
     pub(super) fn is_called(&self, name: &str) -> bool {
         let (section, leaf) = name.rsplit_once('.').unwrap_or(("", name));
         let in_refine_section = ["refine", "grid.refine"].contains(&section) && self.of == REFINE;
@@ -54,7 +54,7 @@ impl Entry {
     }
 }
 
-/// All of them, group by group.
+/// All entries, group by group.
 pub(super) fn entries() -> Vec<Entry> {
     let kinds = std::iter::once(Kind::DEFAULT)
         .chain(Kind::ALL.iter().copied().filter(|kind| *kind != Kind::DEFAULT));
@@ -81,7 +81,7 @@ pub(super) fn entries() -> Vec<Entry> {
     all
 }
 
-/// Those that several kinds of scenes have alike, once, with the names of all these kinds.
+/// Joins entries that several kinds of scenes share into one, with the names of all these kinds.
 pub(super) fn joined(all: Vec<Entry>) -> Vec<Entry> {
     let mut told: Vec<(Entry, String)> = Vec::new();
     for entry in all {
@@ -129,7 +129,7 @@ fn of_column<R: Copy>(column: &Quantity<R>, of: &str) -> Entry {
     }
 }
 
-/// A meaning in one line, with `[words](target)` as the words alone.
+/// A meaning in one line, where `[words](target)` becomes the words alone.
 pub(super) fn without_links(text: &str) -> String {
     let mut words = text.split_whitespace().collect::<Vec<_>>().join(" ").replace('`', "");
     while let Some((start, middle)) = words.find('[').zip(words.find("](")) {

@@ -14,14 +14,14 @@ use crate::study::{Study, SweepFile};
 pub(super) enum Goal {
     /// Each case once, as the file has it.
     Cases,
-    /// Numerics that are chosen, and chosen finer until the error bars are narrow enough.
+    /// Chosen numerics, which become finer until the error bars are narrow enough.
     MaxError(MaxError),
     /// Further points, round by round.
     Points(Box<Refinement>),
 }
 
 impl Goal {
-    /// That of a file and the command line, which may ask for an error of so many percent.
+    /// The goal of a file and the command line, which may ask for an error of so many percent.
     pub(super) fn of(
         percent: Option<f64>,
         file: &SweepFile,
@@ -34,8 +34,8 @@ impl Goal {
         })
     }
 
-    /// The study that runs first: what an earlier run has added to this directory is there from the start. A large
-    /// study is held once.
+    /// The study that runs first, with all that an earlier run has added to this directory. A large
+    /// study is held only once.
     pub(super) fn first(
         &self,
         (file, study): (&SweepFile, Study),
@@ -49,12 +49,12 @@ impl Goal {
         }
     }
 
-    /// Whether a case may get other numerics, and with them another id, while its place stays.
+    /// Whether a case may get other numerics and so another id, while its place stays.
     pub(super) fn chooses_numerics(&self) -> bool {
         matches!(self, Goal::MaxError(_))
     }
 
-    /// The study of the next round; `None` where nothing is left to be done.
+    /// The study of the next round; `None` where nothing is left to do.
     pub(super) fn next(
         &self,
         path: &Path,

@@ -1,4 +1,4 @@
-//! The cases of a study that are worth a look first, and why.
+//! The cases of a study that are most worth a look, and why.
 
 use std::fs;
 use std::path::Path;
@@ -7,10 +7,10 @@ use crate::results::CaseRecord;
 use crate::simulation::Outcome;
 use crate::study::Study;
 
-/// Where a directory tells why its cases were filmed; the report reads it.
+/// The file that says why a directory's cases were filmed; the report reads it.
 pub(super) const REASONS: &str = "films/reasons.csv";
 
-/// What makes a case worth a look.
+/// The reasons that make a case worth a look.
 const CRITERIA: [Criterion; 4] = [
     ("largest force", |_, outcome| Some(outcome.force_max.value)),
     ("highest runup", |_, outcome| Some(outcome.runup_max.value)),
@@ -25,7 +25,7 @@ const CRITERIA: [Criterion; 4] = [
     }),
 ];
 
-/// Its name, and the score of a case from the stiffness of its spring and its outcome.
+/// A criterion's name, and a case's score from its spring's stiffness and its outcome.
 type Criterion = (&'static str, fn(Option<f64>, &Outcome) -> Option<f64>);
 
 /// A case that is worth a look.
@@ -37,8 +37,8 @@ pub(super) struct Highlight {
     pub(super) reason: String,
 }
 
-/// The best case by each criterion. Where one case is best by several, each further criterion brings its
-/// best case that is not there yet.
+/// The best case by each criterion. If that case is there already, the criterion brings its best
+/// case that is not there yet.
 pub(super) fn highlights(study: &Study, records: &[Option<CaseRecord>]) -> Vec<Highlight> {
     let cases = records[..study.cases.len()].iter().flatten();
     let well: Vec<_> =
@@ -70,7 +70,7 @@ pub(super) fn highlights(study: &Study, records: &[Option<CaseRecord>]) -> Vec<H
     found
 }
 
-/// Writes for the report why cases were filmed, in place of what was told before; nothing where none was.
+/// Writes for the report why cases were filmed, in place of earlier reasons; nothing if none was.
 pub(super) fn tell<'a>(
     filmed: impl Iterator<Item = &'a Highlight>,
     study: &Study,
@@ -91,7 +91,7 @@ mod tests {
     use crate::results::made_up;
     use crate::study::Case;
 
-    /// Records with these forces, runups, and numbers of reasons for doubt.
+    /// Records with these forces, these runups, and these numbers of reasons for doubt.
     fn records(
         study: &Study,
         forces: [f64; 4],
@@ -134,7 +134,7 @@ mod tests {
 
     #[test]
     fn where_criteria_coincide_the_next_best_case_comes_in() {
-        // All four fell on one or two cases of a large study, and two films were all there was.
+        // All four fell on one or two cases of a large study: there were only two films.
         let study = study();
         let rising = [1.0, 2.0, 3.0, 4.0];
         let records = records(&study, rising, rising, [false, false, false, true], [0, 1, 0, 3]);

@@ -26,17 +26,17 @@ pub(super) struct InitArgs {
     name: String,
 }
 
-/// Characters of a comment.
+/// The width of a comment, characters.
 const WIDTH: usize = 78;
-/// What the file sets in `[scene]`; other keys stand in it as comments.
+/// The keys that the file sets in `[scene]`; other keys stand there as comments.
 const SCENE: [(&str, &str); 3] =
     [("wall", "\"movable\""), ("still_water_depth_m", "0.2"), ("tank_length_m", "2.5")];
-/// Of `[scene]`, what is left to change, at its default.
+/// Keys of `[scene]` that stand as comments, at their defaults.
 const MORE_SCENE: [&str; 3] = ["end_after_stroke_centre_s", "threshold_ratio", "wave_gauge_m"];
-/// What the file sets in `[numerics]`.
+/// The keys that the file sets in `[numerics]`.
 const NUMERICS: [(&str, &str); 2] = [("particle_spacing_m", "0.016"), ("error_bars", "\"pair\"")];
 const MORE_NUMERICS: [&str; 2] = ["sound_speed_ratio", "stop_when_settled"];
-/// What the file sweeps.
+/// The keys that the file sweeps.
 const GRID: [(&str, &str); 3] = [
     ("wave_height_ratio", "[0.3, 0.5]"),
     ("spring_stiffness_n_per_m", "{ from = 10, to = 1e6, points = 6, spacing = \"log\" }"),
@@ -85,13 +85,13 @@ fn text(name: &str) -> String {
     text + "\n"
 }
 
-/// A key with a value, under what it means.
+/// A key with a value, below its meaning.
 fn set(text: &mut String, keys: &[&Key], name: &str, value: &str) {
     about(text, keys, name);
     let _ = writeln!(text, "{name} = {value}\n");
 }
 
-/// A key as a comment, at its default.
+/// A key as a comment, with its default.
 fn left(text: &mut String, keys: &[&Key], name: &str) {
     about(text, keys, name);
     let default = keys.iter().find(|key| key.name == name).map(|key| key.default_in_words());

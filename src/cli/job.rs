@@ -1,4 +1,4 @@
-//! A study that is to be run, and what came of it.
+//! A study that is to be run, and the result.
 
 use std::path::{Path, PathBuf};
 
@@ -23,18 +23,18 @@ pub(super) struct Job {
     pub(super) mode: OpenMode,
     pub(super) retry_failed: bool,
     pub(super) branching: bool,
-    /// Whether threads that the runs would leave idle work within them.
+    /// Whether threads that the runs leave idle work within them.
     pub(super) shares_threads: bool,
     pub(super) simd: Option<SimdPath>,
     pub(super) overrides: Vec<String>,
 }
 
-/// What came of it.
+/// The result of a job.
 pub(super) struct Done {
     pub(super) directory: Directory,
     pub(super) ending: Ending,
     pub(super) savings: Savings,
-    /// `None` where everything was there before.
+    /// The time that the runs took, seconds; `None` where everything was there before.
     pub(super) wall_time_s: Option<f64>,
     /// What the films of this call took, seconds.
     pub(super) film_time_s: f64,
@@ -46,18 +46,18 @@ impl Done {
         self.directory.case_records().iter().flatten()
     }
 
-    /// Finished cases of which something touches a quoted number.
+    /// How many finished cases have a reason for doubt.
     pub(super) fn doubtful(&self) -> usize {
         self.doubts().count()
     }
 
-    /// What touches a quoted number, of every finished case of which something does.
+    /// The reasons for doubt of each finished case that has any.
     pub(super) fn doubts(&self) -> impl Iterator<Item = &str> {
         let outcomes = self.records().filter_map(|record| record.outcome.as_ref());
         outcomes.filter_map(|outcome| outcome.doubtful_reason.as_deref())
     }
 
-    /// What to expect of every finished case whose particles are coarse.
+    /// What coarse particles mean for each finished case that has them.
     pub(super) fn coarse(&self, job: &Job) -> Vec<String> {
         let told = |record: &CaseRecord| {
             let config = &job.study.cases[record.index].config;
@@ -83,14 +83,14 @@ impl Done {
         }
     }
 
-    /// The finished cases with all that the journal has of them, in grid order.
+    /// The finished cases with all that the journal holds of them, in grid order.
     pub(super) fn whole(&self, study: &Study) -> Result<Vec<CaseRecord>, SweepError> {
         let whole = finished_whole(self.directory.path(), study)?.into_iter();
         let whole = whole.zip(self.directory.case_records());
         Ok(whole.filter_map(|(record, here)| record.filter(|_| here.is_some())).collect())
     }
 
-    /// A record with its error bars, as programs get it; null where there is none.
+    /// A record with its error bars, for programs; null where there is none.
     pub(super) fn in_full(record: &CaseRecord, bars: Bars) -> Value {
         let mut value = json!(record);
         let bars = [

@@ -1,4 +1,4 @@
-//! What a made figure tells in a terminal: its caption, and printed and computed numbers beside each other.
+//! A made figure in the terminal: its caption, and printed and computed numbers side by side.
 
 use super::output::wrapped;
 use super::table::Table;
@@ -22,8 +22,8 @@ fn prose(text: &str) -> String {
     wrapped(text, WIDTH).join("\n") + "\n"
 }
 
-/// Printed and computed numbers, a difference beside each; what all movable walls or all fixed ones have in
-/// common is left out.
+/// Printed and computed numbers, each with its difference. What all movable or all fixed walls have
+/// in common is left out.
 fn numbers(made: &Reproduced) -> String {
     let (header, rows) = (&made.beside.header, &made.beside.rows);
     let first = rows[0][0].split(',').next().unwrap_or_default();
@@ -53,7 +53,7 @@ fn numbers(made: &Reproduced) -> String {
     fitting(&heads, &lines) + "✗: not met\n"
 }
 
-/// A value and what it differs by, whose unit stands once where it is the same.
+/// A value and its difference. A common unit stands once.
 fn beside(value: &str, difference: &str) -> String {
     let unit = value.rfind(' ').map_or("", |at| &value[at..]);
     let difference = if unit.is_empty() { difference } else { &difference.replacen(unit, "", 1) };

@@ -1,4 +1,4 @@
-//! What `accuracy` and `stress` have in common: running a matrix in its output directory.
+//! Runs a matrix in its output directory, for `accuracy` and `stress`.
 
 use std::path::PathBuf;
 
@@ -46,12 +46,12 @@ pub(super) struct Ran {
     pub(super) pairs: Vec<Trial>,
     pub(super) records: Vec<Option<CaseRecord>>,
     pub(super) out: PathBuf,
-    /// The exit code where it was interrupted.
+    /// The exit code of an interrupted run.
     pub(super) interrupted: Option<u8>,
 }
 
-/// Runs what of a matrix, or of the one that is built in, is missing in its directory. Cases share trunks where
-/// `branching`: not where each one's time is measured.
+/// Runs the missing part of a matrix, or of the built-in one, in its directory. If `branching`,
+/// cases share trunks. They do not where the time of each is measured.
 pub(super) fn run(
     args: &MatrixArgs,
     built_in: &str,
@@ -98,13 +98,13 @@ pub(super) fn run(
     })
 }
 
-/// Whether a file has what sweep and scene files alone have.
+/// Whether a file has sections that only sweep and scene files have.
 fn is_of_study(text: &str) -> bool {
     let file: toml::Table = text.parse().unwrap_or_default();
     ["scene", "numerics", "grid", "probe"].iter().any(|section| file.contains_key(*section))
 }
 
-/// Why no case is left.
+/// Why no pair of a case and a method is left.
 fn nothing_runs(pairs: &[Trial], quick: bool) -> String {
     match pairs.iter().find_map(|pair| pair.run.as_ref().err()) {
         Some(reason) => format!("no case that this program can run: {reason}"),

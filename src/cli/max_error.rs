@@ -1,4 +1,4 @@
-//! `sweep --max-error`: telling what numerics were chosen, and whether they kept to the aim.
+//! `sweep --max-error`: reports the chosen numerics, and whether they reach the aim.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -27,7 +27,7 @@ pub(super) fn percent(text: &str) -> Result<f64, String> {
     }
 }
 
-/// The error that is aimed at: by the command line, or else by the file.
+/// The error that is aimed at, from the command line or else from the file.
 pub(super) fn aim(asked: Option<f64>, study: &Study) -> Result<Option<MaxError>, BadInput> {
     let Some(percent) = asked.or(study.max_error_percent) else { return Ok(None) };
     if study.refine.is_some() {
@@ -37,7 +37,7 @@ pub(super) fn aim(asked: Option<f64>, study: &Study) -> Result<Option<MaxError>,
     MaxError::new(percent, study).map(Some).map_err(BadInput)
 }
 
-/// The study as `sweep` begins it: with the numerics that are chosen, where an error is aimed at.
+/// The study as `sweep` begins it: with chosen numerics, if an error is aimed at.
 pub(super) fn chosen(asked: Option<f64>, study: Study, output: &Output) -> Result<Study, BadInput> {
     Ok(match aim(asked, &study)? {
         Some(aim) => first(&aim, &study, output),
@@ -45,8 +45,8 @@ pub(super) fn chosen(asked: Option<f64>, study: Study, output: &Output) -> Resul
     })
 }
 
-/// Seconds on this machine's cores for a study whose numerics were chosen, if all bars come out too wide until nothing
-/// finer is known.
+/// Seconds on this machine's cores for a study with chosen numerics, in the worst case: all bars
+/// are too wide until nothing finer is known.
 pub(super) fn longest(percent: f64, study: &Study) -> Result<f64, BadInput> {
     let aim = MaxError::new(percent, study).map_err(BadInput)?;
     let mut seconds = time_of_all(study).0;
@@ -63,7 +63,7 @@ pub(super) fn longest(percent: f64, study: &Study) -> Result<f64, BadInput> {
     Ok(seconds)
 }
 
-/// What `check` says of a study whose numerics were chosen.
+/// The words of `check` for a study with chosen numerics.
 pub(super) fn ahead(percent: f64) -> String {
     format!(
         "{percent} %: these are the numerics that `sweep` begins with; cases whose error bars come out wider, or \
@@ -71,7 +71,7 @@ pub(super) fn ahead(percent: f64) -> String {
     )
 }
 
-/// The study with the numerics that are expected to do, and why, told.
+/// The study with the numerics that are expected to suffice. Reports them and why.
 pub(super) fn first(aim: &MaxError, study: &Study, output: &Output) -> Study {
     let choices = aim.first(study);
     for (line, cases) in counts(choices.values().map(|choice| reason(choice, aim.percent()))) {
@@ -91,7 +91,7 @@ pub(super) fn first(aim: &MaxError, study: &Study, output: &Output) -> Study {
     chosen
 }
 
-/// The study as an earlier run has left it, with what it has chosen since; else as `sweep` begins it.
+/// The study as an earlier run left it, with its later choices; else as `sweep` begins it.
 pub(super) fn begun(
     aim: &MaxError,
     study: &Study,
@@ -122,7 +122,7 @@ fn reason(choice: &Choice, percent: f64) -> String {
     )
 }
 
-/// The study with finer spacings where the bars are too wide; `None` where nothing is to be done.
+/// The study with finer spacings where bars are too wide; `None` where nothing is to do.
 pub(super) fn refine(aim: &MaxError, study: &Study, done: &Done, output: &Output) -> Option<Study> {
     let finer = aim.finer(study, done.directory.records());
     if finer.is_empty() {
@@ -137,8 +137,8 @@ pub(super) fn refine(aim: &MaxError, study: &Study, done: &Done, output: &Output
     Some(with(study, &finer))
 }
 
-/// The study of a finished or broken off sweep, as its journal has it: with the numerics that were chosen
-/// first, and finer ones where these have begun.
+/// The study of a finished or stopped sweep, from its journal: with the numerics chosen first, or
+/// finer ones if their runs have begun.
 pub(super) fn stored(percent: f64, study: &Study, directory: &Path) -> anyhow::Result<Study> {
     let aim = MaxError::new(percent, study).map_err(BadInput)?;
     let mut chosen = with(study, &aim.first(study)).aiming_at(percent);
@@ -154,7 +154,7 @@ pub(super) fn stored(percent: f64, study: &Study, directory: &Path) -> anyhow::R
     }
 }
 
-/// What a sweep has to do next in a study that is stored: its own cases, or once they are done the finer ones.
+/// What a sweep does next in a stored study: its own cases or, once they are done, finer ones.
 pub(super) fn next(percent: f64, study: Study, directory: &Path) -> anyhow::Result<Study> {
     let records = finished(directory, &study)?;
     if records.iter().any(Option::is_none) {
@@ -168,12 +168,12 @@ fn with(study: &Study, choices: &Choices) -> Study {
     study.with_choices(|index| choices.get(&index).map(|choice| choice.config.clone()))
 }
 
-/// How many cases miss the aim, by why.
+/// How many cases miss the aim, by reason.
 fn missed(verified: &[Verified]) -> BTreeMap<Missed, usize> {
     counts(verified.iter().filter_map(|case| case.missed))
 }
 
-/// The same in words.
+/// The reasons in words.
 fn why(missed: &BTreeMap<Missed, usize>) -> String {
     let told = |(missed, cases): (&Missed, &usize)| {
         let cases = counted(*cases, "case");
@@ -187,7 +187,7 @@ fn why(missed: &BTreeMap<Missed, usize>) -> String {
     missed.iter().map(told).collect::<Vec<_>>().join(", ")
 }
 
-/// Writes `max_error.csv` and tells how many cases kept to the aim.
+/// Writes `max_error.csv` and reports how many cases reach the aim.
 pub(super) fn report(
     aim: &MaxError,
     study: &Study,

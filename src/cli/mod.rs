@@ -1,8 +1,8 @@
 //! The command line: one file per subcommand, and `commands.rs`, which names them all.
 //!
-//! Exit codes: 0 all well; 1 some case failed; 2 bad input or usage, nothing written;
-//! 3 interrupted, to be gone on with; 70 internal error. Under an MPI launcher rank 0 alone
-//! validates, prints and returns the code; the other ranks return 0.
+//! Exit codes: 0 all well; 1 some case failed; 2 bad input or usage, nothing written; 3
+//! interrupted, can be resumed; 70 internal error. Under an MPI launcher rank 0 alone validates,
+//! prints and returns the code; the other ranks return 0.
 
 mod accuracy;
 mod answer;
@@ -105,7 +105,7 @@ struct Global {
 /// Runs the command line and returns the process's exit code.
 pub fn main() -> ExitCode {
     let launcher = Launcher::detect();
-    // Without it long files end the program, as everywhere.
+    // Without this, a file above the size limit would end the program.
     let _ = outlive_long_files();
     let code = catch_unwind(AssertUnwindSafe(|| main_with(std::env::args_os(), launcher)));
     ExitCode::from(code.unwrap_or_else(|panic| {
@@ -125,7 +125,7 @@ fn asks_for_json(arguments: impl Iterator<Item = OsString>) -> bool {
     words.windows(2).any(pair) || words.iter().any(|word| word == "--format=json")
 }
 
-/// What the command line may be.
+/// The definition of the command line.
 fn command(launcher: Launcher) -> clap::Command {
     let never = launcher.present || std::env::var_os("NO_COLOR").is_some_and(|set| !set.is_empty());
     // Under mpirun standard output is a pseudo-terminal even when it ends in a file.
@@ -149,7 +149,7 @@ fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) 
                 failure::print(&json!({ "name": "seawall", "version": env!("CARGO_PKG_VERSION") }));
                 return SUCCESS;
             }
-            // Where nobody listens there is nobody to tell.
+            // If the output is closed, nobody can be told.
             let plain = error.to_string();
             let told = crate::keys::shown(&plain);
             let _ = match told == plain {
@@ -161,7 +161,7 @@ fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) 
     };
     let output = Output::new(&cli.global, launcher);
     if let Err(reason) = cli.command.demand(launcher) {
-        // A launcher may have given it to some ranks alone: each tells for itself.
+        // A launcher may have set this on some ranks alone: each reports for itself.
         if launcher.rank > 0 {
             eprintln!("error: rank {}: {reason}", launcher.rank);
             return BAD_INPUT;

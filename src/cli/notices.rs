@@ -1,4 +1,4 @@
-//! What is told as a study is opened and started.
+//! Messages on opening and starting a study.
 
 use super::job::Job;
 use super::output::Output;
@@ -8,7 +8,7 @@ use crate::math::name::name_of;
 use crate::math::words::counted;
 use crate::results::{Directory, Opened, RankInfo};
 
-/// Cases and companions, and how many of them are done.
+/// How many cases and companions there are, and how many of them are done.
 pub(super) fn tallies(directory: &Directory, cases: usize) -> [Tally; 2] {
     let (cases, companions) = directory.runs().split_at(cases);
     [cases, companions].map(|runs| Tally {
@@ -26,7 +26,7 @@ fn in_words(cases: usize, companions: usize) -> String {
     }
 }
 
-/// Tells what was found on opening.
+/// Reports what was found on opening.
 pub(super) fn tell_opened(
     opened: &Opened,
     job: &Job,
@@ -52,7 +52,7 @@ pub(super) fn tell_opened(
     }
 }
 
-/// Tells what runs now, and on what.
+/// Reports what runs now, and on what.
 pub(super) fn tell_start(
     crew: &dyn Crew,
     directory: &Directory,

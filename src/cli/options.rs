@@ -1,4 +1,4 @@
-//! What options of several commands take, refused in words that say what is allowed.
+//! Values of options that several commands share. Refusals say what is allowed.
 
 use std::fmt::Display;
 use std::fs;
@@ -12,7 +12,7 @@ use super::failure::BadInput;
 use crate::keys::named;
 use crate::report::Print;
 
-/// What reads an option's value.
+/// A function that reads an option's value.
 pub(super) trait Read<T>:
     Fn(&str) -> Result<T, String> + Clone + Send + Sync + 'static
 {
@@ -54,7 +54,7 @@ pub(super) fn above_zero(text: &str) -> Result<f64, String> {
     value.ok_or_else(|| "must be a finite number of seconds above 0".to_owned())
 }
 
-/// Where nothing else is asked for.
+/// The default.
 pub(super) const EVERY_S: f64 = 300.0;
 
 #[derive(Debug, Clone, Copy, Args)]
@@ -91,7 +91,7 @@ impl FigureFormat {
     }
 }
 
-/// Those for print; refused where this build of the program cannot write them.
+/// The formats for print; refused where this build of the program cannot write them.
 pub(super) fn for_print(formats: &[FigureFormat]) -> Result<Vec<Print>, BadInput> {
     let formats: Vec<_> = formats.iter().filter_map(|format| format.print()).collect();
     if let Some(format) = formats.first().filter(|_| !Print::BUILT) {
@@ -112,7 +112,7 @@ pub(super) struct EndingArgs {
 }
 
 impl EndingArgs {
-    /// Results go to this directory.
+    /// Writes that results go to this directory.
     pub(super) fn begin(&self, directory: &Path) -> Result<(), BadInput> {
         let Some(file) = &self.ending else { return Ok(()) };
         let line = [b"out ", directory.as_os_str().as_encoded_bytes(), b"\n"].concat();
@@ -120,7 +120,7 @@ impl EndingArgs {
             .map_err(|error| BadInput(format!("--ending {}: {error}", named(file))))
     }
 
-    /// This is the exit code. Where it cannot be written, the launcher's has to do.
+    /// Writes the exit code. If this fails, the launcher's exit code has to do.
     pub(super) fn end(&self, code: u8) {
         let open = |file| fs::OpenOptions::new().append(true).create(true).open(file);
         if let Some(Ok(mut file)) = self.ending.as_ref().map(open) {

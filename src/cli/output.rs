@@ -20,7 +20,7 @@ pub(super) enum Format {
     Json,
 }
 
-/// Knows what the user wants to see.
+/// What the user wants to see, and how.
 #[derive(Debug, Clone)]
 pub(super) struct Output {
     quiet: bool,
@@ -39,7 +39,7 @@ impl Output {
         }
     }
 
-    /// Prints a result: text for the human eye, or the value as JSON.
+    /// Prints a result: text for people, or the value as JSON.
     pub(super) fn result(&self, text: &str, value: &impl Serialize) -> anyhow::Result<()> {
         let mut out = std::io::stdout().lock();
         let written = match self.format {
@@ -60,7 +60,7 @@ impl Output {
         self.format == Format::Json
     }
 
-    /// Tells something in passing.
+    /// Prints a note.
     pub(super) fn note(&self, text: impl std::fmt::Display) {
         if !self.quiet {
             // A note that nobody reads must not end a sweep.
@@ -79,7 +79,7 @@ impl Output {
     }
 }
 
-/// Seconds for the human eye: `4.2 s` where they are few, `42 s`, `3 min 20 s`, `3.5 days`.
+/// Seconds for people: `4.2 s` where they are few, `42 s`, `3 min 20 s`, `3.5 days`.
 pub(super) fn duration(seconds: f64) -> String {
     if seconds < 9.5 {
         return format!("{:.1} s", seconds.max(0.0));
@@ -99,8 +99,8 @@ pub(super) fn short(value: f64) -> String {
     format!("{value:.3e}")
 }
 
-/// A number with its error bar, rounded to what the bar leaves of it; small ones with their power of
-/// ten behind both.
+/// A number with its error bar, rounded as the bar allows. Very small or large numbers have a power
+/// of ten after both.
 pub(super) fn with_bar(value: f64, bar: f64) -> String {
     if value == 0.0 || (1e-2..1e5).contains(&value.abs()) {
         return crate::report::with_error(value, bar);
@@ -110,13 +110,13 @@ pub(super) fn with_bar(value: f64, bar: f64) -> String {
     format!("{} e{power}", crate::report::with_error(value / unit, bar / unit))
 }
 
-/// A number with its error bar where it has one, and a sign before it where it is a lower bound.
+/// A number with its error bar, if any, and a sign before it if it is a lower bound.
 pub(super) fn with_marks(value: f64, bar: Option<f64>, bound: bool) -> String {
     let told = bar.map_or_else(|| short(value), |bar| with_bar(value, bar));
     if bound { format!("≥ {told}") } else { told }
 }
 
-/// The first items of a list, or all of them, and a line that says how many more there are.
+/// The first items of a list, or all of them, and a line with the number of further ones.
 pub(super) fn first<T>(items: &[T], most: usize, all: bool) -> (&[T], String) {
     let (shown, rest) = items.split_at(if all { items.len() } else { items.len().min(most) });
     let more = match rest.len() {
@@ -126,7 +126,7 @@ pub(super) fn first<T>(items: &[T], most: usize, all: bool) -> (&[T], String) {
     (shown, more)
 }
 
-/// A path for JSON, which knows no other text than UTF-8.
+/// A path for JSON, which allows only UTF-8.
 pub(super) fn json_path(path: &Path) -> String {
     path.to_string_lossy().into_owned()
 }
@@ -136,7 +136,7 @@ pub(super) fn json_paths(paths: &[PathBuf]) -> Vec<String> {
     paths.iter().map(|path| json_path(path)).collect()
 }
 
-/// A text in lines of so many characters at most, broken between words.
+/// A text in lines of at most so many characters, broken between words.
 pub(super) fn wrapped(text: &str, width: usize) -> Vec<String> {
     let mut lines = vec![String::new()];
     for word in text.split_whitespace() {

@@ -1,4 +1,4 @@
-//! The table at the end of a sweep, and how its cases fared.
+//! The table at the end of a sweep, and the state of its cases.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -19,11 +19,11 @@ use crate::report::{digits_apart, plain_to};
 use crate::results::CaseRecord;
 use crate::simulation::kinds_of_doubt;
 
-/// Rows shown without `-v`.
+/// How many rows are shown without `-v`.
 const ROWS: usize = 30;
-/// Characters that a row has at most.
+/// The greatest width of a row, characters.
 const WIDTH: usize = 80;
-/// Shown besides what was swept and how the case fared, where some case has it.
+/// Columns besides swept keys and status. Each is shown if some case has a value.
 const SHOWN: [&Column; 7] = [
     &FORCE_MAX,
     &RUNUP_MAX,
@@ -33,7 +33,7 @@ const SHOWN: [&Column; 7] = [
     &FIRST_RUNUP_MAX,
     &ENERGY_GAP,
 ];
-/// What goes first where there is no room for all.
+/// The columns that are dropped first if there is not room for all.
 const GIVEN_UP: [&Column; 6] = [
     &ENERGY_GAP,
     &FIRST_RUNUP_MAX,
@@ -43,15 +43,15 @@ const GIVEN_UP: [&Column; 6] = [
     &DISPLACEMENT_MAX,
 ];
 
-/// What `*` beside a load says.
+/// The meaning of `*` beside a load.
 pub(super) const STOPPED: &str =
     "* the wall hits its stop afterwards; that load counts for no maximum";
 
-/// What the columns are maxima of, and those of waves at walls besides.
+/// What the maxima are maxima of: in all scenes, and for waves at walls.
 const MAXIMA: &str = "max: of the whole run";
 const FIRST: &str = "; first, here or in summary.csv: of the first impact";
 
-/// What is told of the cases, and where the report is.
+/// The words on the cases, and where the report is.
 pub(super) fn told(job: &Job, done: &Done, report: &Path, all: bool) -> String {
     of_cases(job, done, all) + &reported(report)
 }
@@ -61,7 +61,7 @@ pub(super) fn reported(report: &Path) -> String {
     format!("report: {}\n", keys::named(report))
 }
 
-/// A row per case, `all` or the first few, and the lines below them.
+/// A row per case, for `all` or the first few, and the lines below the table.
 pub(super) fn of_cases(job: &Job, done: &Done, all: bool) -> String {
     let rows = if all { usize::MAX } else { ROWS };
     let mut text = table(job, done, rows);
@@ -106,7 +106,7 @@ fn table<'a>(job: &'a Job, done: &'a Done, rows: usize) -> String {
     }
 }
 
-/// A record beside what the job makes of it.
+/// A record with the same record as the columns see it.
 type Told<'a> = (&'a CaseRecord, Case<'a>);
 
 fn render(job: &Job, cases: &[Told<'_>], shown: &[&Column]) -> String {
@@ -144,7 +144,7 @@ fn hits_stop(record: &CaseRecord) -> bool {
     record.outcome.as_ref().and_then(|outcome| outcome.stops).is_some_and(|stops| stops > 0)
 }
 
-/// The value of a swept key, to so many digits.
+/// The value of a swept key with so many digits.
 fn swept((value, digits): (&Option<Shared<toml::Value>>, &usize)) -> String {
     match value.as_deref() {
         Some(toml::Value::String(text)) => text.clone(),
@@ -154,7 +154,7 @@ fn swept((value, digits): (&Option<Shared<toml::Value>>, &usize)) -> String {
     }
 }
 
-/// A number with its error bar, and a sign before it where it is a lower bound.
+/// A number with its error bar, and a sign before it if it is a lower bound.
 fn number(column: &Column, case: &Case<'_>) -> String {
     let Some(value) = column.number(case).filter(|_| column.is_told(case)) else {
         return "-".to_owned();
@@ -171,7 +171,7 @@ fn status(record: &CaseRecord) -> String {
     }
 }
 
-/// How many cases are well, how long they took, and what trunks saved.
+/// How many cases are well, how long they took, and the time that trunks saved.
 fn fared(done: &Done, total: usize) -> String {
     let failed = done.failed();
     let are = if total == 1 { "is" } else { "are" };
@@ -195,7 +195,7 @@ fn fared(done: &Done, total: usize) -> String {
     text + "\n"
 }
 
-/// How many cases are doubtful, and by what.
+/// How many cases are doubtful, and why.
 fn doubts(done: &Done) -> String {
     let doubtful = done.doubtful();
     if doubtful == 0 {
@@ -212,7 +212,7 @@ fn doubts(done: &Done) -> String {
     )
 }
 
-/// How many cases have coarse particles, and what that means of them.
+/// How many cases have coarse particles, and what follows from that.
 fn coarse(told: &[String]) -> String {
     let Some(why) = coarse_spacings(told.iter().map(String::as_str)) else { return String::new() };
     let have = if told.len() == 1 { "has" } else { "have" };

@@ -10,7 +10,7 @@ use crate::math::decimal::significant;
 use crate::scene::{CaseConfig, Kind, Numerics, Scene, numerics_keys, scene_keys};
 use crate::study::{Case, Study};
 
-/// A key that is on, and the values that occur among the cases, `none` where a case has none.
+/// A key that is on, and its values among the cases: `none` where a case has none.
 pub(super) struct Line {
     /// The key's name in files.
     pub name: &'static str,
@@ -22,16 +22,16 @@ pub(super) struct Line {
     pub values: Vec<String>,
 }
 
-/// Cases that are looked at in one go.
+/// How many cases are looked at in one go.
 const CHUNK: usize = 1000;
-/// Values of a key that are written out.
+/// How many values of a key are written out.
 const MOST: usize = 8;
-/// Digits that numbers have as people write them, at most, and as the program tells those that it derives.
+/// The most digits of numbers that people write, and of derived numbers that the program prints.
 const WRITTEN: usize = 9;
 const TOLD: usize = 4;
 
 impl Line {
-    /// The values, or the first ones of many, for who knows what the file says.
+    /// The values, or the first of many. Readers know what the file says.
     pub(super) fn text(&self, file: &str) -> String {
         let first = self.values.iter().take(MOST).map(|value| brief(value, file));
         let mut text = first.collect::<Vec<_>>().join(", ");
@@ -42,14 +42,14 @@ impl Line {
     }
 }
 
-/// A value with few digits, where it is neither short nor in the file.
+/// A value with few digits, if it is long and not in the file.
 fn brief(value: &str, file: &str) -> String {
     let derived = |number: &f64| significant(*number, WRITTEN) != *number && !file.contains(value);
     let number = value.parse().ok().filter(derived);
     number.map_or_else(|| value.to_owned(), |number| significant(number, TOLD).to_string())
 }
 
-/// What is on, key by key in the order of their declarations.
+/// The keys that are on, in the order of their declarations.
 pub(super) fn physics(study: &Study) -> Vec<Line> {
     let keys = keys(study);
     let chunks = study.cases.par_chunks(CHUNK).map(|cases| occurring(&keys, cases));
@@ -71,7 +71,7 @@ pub(super) fn physics(study: &Study) -> Vec<Line> {
     lines
 }
 
-/// The keys of all kinds of scenes that occur, and of the numerics.
+/// The keys of the numerics, and of all kinds of scenes that occur.
 fn keys(study: &Study) -> Vec<&'static Key> {
     let kinds: HashSet<_> = study.cases.iter().map(|case| case.config.scene.kind()).collect();
     let kinds = Kind::ALL.iter().filter(|kind| kinds.contains(kind.name()));
@@ -91,7 +91,7 @@ fn values(scene: &Scene, numerics: &Table) -> Table {
     values
 }
 
-/// The different values of a key, in the order in which they come, `none` where a case has none.
+/// The different values of a key in order of appearance: `none` where a case has none.
 #[derive(Default)]
 struct Column {
     values: Vec<String>,
@@ -110,7 +110,7 @@ impl Column {
     }
 }
 
-/// The values of each key among some cases. A case with all its keys is large: none is kept.
+/// The values of each key among some cases. A case with all its keys is large, so none is kept.
 fn occurring(keys: &[&'static Key], cases: &[Case]) -> Vec<Column> {
     let mut columns: Vec<Column> = keys.iter().map(|_| Column::default()).collect();
     let mut shared: Option<(&Shared<Numerics>, Table)> = None;
@@ -148,8 +148,8 @@ fn occurring(keys: &[&'static Key], cases: &[Case]) -> Vec<Column> {
     columns
 }
 
-/// The numbers in which a case differs from the one before it, with the places of their keys. `None` where anything else
-/// does: names decide what is on, and so does a number that is 0.
+/// The numbers in which a case differs from the one before, with the places of their keys. `None`
+/// if anything else differs: names decide which keys are on, and so does a number that is 0.
 fn changes(
     places: &HashMap<&'static str, usize>,
     before: &CaseConfig,

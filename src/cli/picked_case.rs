@@ -25,7 +25,7 @@ pub(super) fn the_case<'a>(study: &'a Study, words: &[String]) -> Result<&'a Cas
     the_one(&study.keys, &fixed, &choices, words).map(|place| &study.cases[place])
 }
 
-/// The value of a key that all cases of a study have alike; `None` where they do not, or none has it.
+/// The value of a key that all cases of a study share; `None` if they differ, or none has it.
 pub(super) fn in_every_case(study: &Study, key: &str) -> Option<toml::Value> {
     let value = |case: &Case| {
         let scene = toml::Table::try_from(&case.config.scene).ok()?;
@@ -116,19 +116,19 @@ fn keep_with_value(
     Ok(())
 }
 
-/// Why no case of the study has a key of walls and paddles: that of a spring has no meaning at a wall that stands
-/// still. `None` where another reason keeps it out.
+/// Why no case of the study has a key of walls or paddles. For example, a spring's key has no
+/// meaning at a fixed wall. `None` if there is another reason.
 fn elsewhere(
     key: &str,
     swept: &[String],
     fixed: &dyn Fn(&str) -> Option<toml::Value>,
 ) -> Option<String> {
-    // Other scenes have none of these keys.
+    // Other kinds of scenes have none of these keys.
     fixed("wall")?;
     let all = SeawallScene::keys();
     let key = all.iter().find(|known| known.name == key)?;
     let told = |when: When| {
-        // A case may leave out what is at its default.
+        // A case may leave out a key that is at its default.
         let default = || (all.iter().find(|known| known.name == when.key)?.default)();
         let is_swept = swept.iter().any(|key| key == when.key);
         let has = fixed(when.key).or_else(default).filter(|_| !is_swept)?;
@@ -146,7 +146,7 @@ fn values(cases: &[&Choice], place: usize) -> String {
     different(values.map(in_words)).join(", ")
 }
 
-/// A value as one writes it: no quotes, and no decimals where there are none.
+/// A value as people write it: without quotes, and without decimals if it is whole.
 fn in_words(value: &toml::Value) -> String {
     match value {
         toml::Value::String(word) => word.clone(),
@@ -155,10 +155,10 @@ fn in_words(value: &toml::Value) -> String {
     }
 }
 
-/// Four digits of a number: nobody writes more by hand.
+/// Four digits of a number: nobody types more.
 const FOUR_DIGITS: f64 = 5e-4;
 
-/// Equal as settings, numbers within a share of themselves.
+/// Whether settings are equal. Numbers may differ by a share of themselves.
 fn alike(value: &toml::Value, wanted: &toml::Value, share: f64) -> bool {
     match (number(value), number(wanted)) {
         (Some(value), Some(wanted)) => (value - wanted).abs() <= share * value.abs(),
@@ -200,7 +200,7 @@ pub(super) mod tests {
         assert!(pick("H/h=0.30005").is_err(), "near all three");
     }
 
-    /// The story: at a fixed wall `k=3` was told as mistyped, with the spring's key for the right one.
+    /// The story: at a fixed wall `k=3` was called mistyped, and the spring's key was proposed.
     #[test]
     fn keys_of_another_wall_are_told_with_the_wall_that_has_them() {
         let told = |scene: &str, word: &str| {

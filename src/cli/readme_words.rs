@@ -1,21 +1,21 @@
-//! Words for things that are no key and no column: those that README.md explains, and what is called by them.
+//! Words that are no key and no column: those that README.md explains, and names that contain them.
 
 use super::glossary::{Entry, without_links};
 
-/// Where they are declared.
+/// The file and the heading that declare them.
 const README: &str = include_str!("../../README.md");
 const HEADING: &str = "\n## Words\n";
-/// So many names that a word is part of are told.
+/// How many names that contain a word are listed.
 const MOST: usize = 12;
 
-/// What a word means, and which keys and columns have it in their names or belong to it; `None` where README.md does
-/// not explain it.
+/// What a word means, and the keys and columns that contain it or belong to it; `None` where
+/// README.md does not explain it.
 pub(super) fn thing(word: &str, all: &[Entry]) -> Option<Entry> {
     let wanted = plain(word);
     let is_it = |name: &str| plain(name) == wanted;
     let (name, meaning) = lines().find(|(names, _)| names.split(", ").any(is_it))?;
     let words: Vec<&str> = wanted.split(' ').collect();
-    // A letter is a symbol, and in names a unit.
+    // A single letter is a symbol. In names it is a unit.
     let in_name = |name: &str| {
         let parts: Vec<&str> = name.split('_').collect();
         let is_word = |(part, word): (&&str, &&str)| {
@@ -46,14 +46,14 @@ pub(super) fn thing(word: &str, all: &[Entry]) -> Option<Entry> {
     })
 }
 
-/// All that are explained, but for symbols.
+/// All explained words, except for symbols.
 pub(super) fn names() -> impl Iterator<Item = &'static str> {
     lines()
         .flat_map(|(names, _)| names.split(", "))
         .filter(|name| name.len() > 1 && !name.contains('\\'))
 }
 
-/// Lines of the table: names, and what they mean.
+/// Lines of the table: names and their meaning.
 fn lines() -> impl Iterator<Item = (&'static str, &'static str)> {
     let table = README.split_once(HEADING).map_or("", |(_, rest)| rest);
     let lines = table.lines().skip_while(|line| !line.starts_with('|')).skip(2);
@@ -61,7 +61,7 @@ fn lines() -> impl Iterator<Item = (&'static str, &'static str)> {
     lines.map_while(cells)
 }
 
-/// Small letters, words apart by one space, and one of several: `Error_bars` is `error bar`.
+/// Lower case, one space between words, and the singular: `Error_bars` is `error bar`.
 fn plain(word: &str) -> String {
     let word = word.trim().to_lowercase().replace(['_', '-'], " ");
     let one = word.strip_suffix('s').filter(|one| one.len() > 3 && !one.ends_with('s'));

@@ -1,4 +1,4 @@
-//! `sweep` of a file with `[grid] refine`: rounds of further points, told as they come.
+//! `sweep` of a file with `[grid] refine`: adds points in rounds, and reports each round.
 
 use std::path::Path;
 
@@ -13,8 +13,8 @@ use crate::results::finished;
 use crate::scene::ConfigError;
 use crate::study::{Refine, Study, SweepFile};
 
-/// The study that a directory holds, with the points of all rounds that its journal has; that of the file
-/// alone where it asks for none.
+/// The study that a directory holds, with the points of all rounds in its journal. If the file asks
+/// for no rounds, its own study.
 pub(super) fn study_in(directory: &Path, file: &SweepFile) -> anyhow::Result<Study> {
     let Some(refinement) = Refinement::of(file) else {
         return Ok(Study::new(file).map_err(|error| BadInput::of_stored(directory, &error))?);
@@ -26,7 +26,7 @@ pub(super) fn study_in(directory: &Path, file: &SweepFile) -> anyhow::Result<Stu
     })
 }
 
-/// The study of the next round, told; `None` where nothing is to be added.
+/// The study of the next round, which is reported; `None` where nothing is to be added.
 pub(super) fn next(
     refinement: &Refinement,
     path: &Path,
@@ -47,13 +47,13 @@ pub(super) fn next(
     Ok(next)
 }
 
-/// How far a finished study came, for people and for programs.
+/// What a finished study reached, for people and for programs.
 pub(super) fn report(refinement: &Refinement, study: &Study, done: &Done) -> (String, Value) {
     let records = done.directory.records();
     let round = refinement.round(study, records);
     let next = refinement.next(study, records).ok().flatten();
     let pending = next.map_or(0, |next| next.cases.len() - study.cases.len());
-    // Points that no scene may have stay open.
+    // Points that no scene allows stay open.
     let open = round.open + round.points.len() - pending;
     let (added, asked) = (refinement.count(study), &refinement.asked);
     let limit_hit = u64::try_from(added).is_ok_and(|added| added >= asked.most);
@@ -104,7 +104,7 @@ pub(super) fn report(refinement: &Refinement, study: &Study, done: &Done) -> (St
     (text, value)
 }
 
-/// What `check` says of a study to which points will be added.
+/// The words of `check` for a study to which points will be added.
 pub(super) fn ahead(asked: &Refine) -> String {
     format!(
         "adds up to {}, round by round, until {} is known to {} between neighbours",

@@ -38,7 +38,7 @@ pub(super) struct ReportArgs {
 }
 
 pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
-    // Made again from the journal, where that is there.
+    // The report is made from the journal, if there is one.
     let from = if args.dir.join(JOURNAL).is_file() { JOURNAL } else { SUMMARY };
     demand_output_of_study(&args.dir, from)?;
     let formats = for_print(&args.figures)?;
@@ -99,8 +99,8 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
     Ok(if left_out == 0 { SUCCESS } else { CASES_FAILED })
 }
 
-/// Tables that are not what the journal says are made again. Where the study cannot be made from the
-/// directory alone, they are taken as they are. The files of cases that are damaged or missing.
+/// Makes tables again that differ from the journal. They stay as they are if the directory does not
+/// hold its whole study. Returns files of cases that are damaged or missing.
 fn renew(args: &ReportArgs, output: &Output) -> anyhow::Result<Vec<PathBuf>> {
     if Lock::is_held(&args.dir) {
         return Ok(Vec::new());

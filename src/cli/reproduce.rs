@@ -191,7 +191,7 @@ fn value(recipe: &Recipe, made: &Reproduced, files: &[PathBuf], directories: &[P
     })
 }
 
-/// Every figure and table, what it shows, and how long it takes or why it is not made.
+/// Every figure and table: what it shows, and how long it takes or why it is not made.
 fn list(args: &ReproduceArgs, output: &Output) -> anyhow::Result<u8> {
     let wanted = args.paper.as_deref();
     let (mut text, mut values, mut last) = (String::new(), Vec::new(), "");

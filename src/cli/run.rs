@@ -99,7 +99,7 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
         output.note("--vtk: nothing was written, as nothing was run; --fresh writes the files");
     }
     if done.ending == Ending::Interrupted {
-        // A film shows a case from its start.
+        // A film has to show a case from its start.
         let films = args.vtk.is_some() || args.film.is_some();
         output.note(match has_checkpoints(done.directory.path()) && !films {
             true => "interrupted: the same command goes on from the last checkpoint",
@@ -128,7 +128,7 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
     }
 }
 
-/// Tells where the film is. Where nothing was run, the case runs again for it.
+/// Reports where the film is. If nothing was run, the case runs again for it.
 fn film_of(
     args: &RunArgs,
     page: &PageFilm,
@@ -153,7 +153,7 @@ fn film_of(
     Ok(shot.code())
 }
 
-/// The record as JSON, with the highest runup over still water in metres besides.
+/// The record as JSON, with the highest runup over still water in metres added.
 fn in_metres(record: &CaseRecord, config: &CaseConfig, mut value: Value) -> Value {
     let highest = record.outcome.as_ref().map(|outcome| outcome.runup_max.value);
     value["runup_max_m"] = json!(highest.map(|runup| runup * config.scene.frame().depth));

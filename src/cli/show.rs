@@ -62,13 +62,13 @@ pub(super) fn main(args: &ShowArgs, output: &Output) -> anyhow::Result<u8> {
         output.result("", &row.json(&files))?;
         return Ok(SUCCESS);
     }
-    // What the study's file says of its paddle.
+    // The row with what the study's file says of its paddle.
     let known = Loaded::read(&args.dir).ok().and_then(|data| data.rows.into_iter().nth(place));
     output.result(&told(row, &known.unwrap_or_default(), &keys, &files), &Value::Null)?;
     Ok(SUCCESS)
 }
 
-/// Why none of the finished cases of a study that is not finished is the one: the study has more.
+/// Why an unfinished study has no such finished case: the case may be among the unfinished ones.
 fn unfinished(args: &ShowArgs, error: BadInput) -> BadInput {
     let Ok((_, study)) = stored::file_and_study(&args.dir) else { return error };
     match the_case(&study, &args.case) {
@@ -81,11 +81,11 @@ fn unfinished(args: &ShowArgs, error: BadInput) -> BadInput {
     }
 }
 
-/// Characters of a line, and before its value.
+/// The width of a line, and the indent of its value, characters.
 const WIDTH: usize = 80;
 const INDENT: usize = 27;
 
-/// A row of `summary.csv`: names, which all rows share, and cells.
+/// A row of `summary.csv`: the names, which all rows share, and the cells.
 struct Row(Rc<StringRecord>, StringRecord);
 
 fn rows(path: &Path) -> anyhow::Result<Vec<Row>> {
@@ -109,7 +109,7 @@ impl Row {
     }
 
     fn choice(&self, keys: &[String]) -> Choice {
-        // As the command line reads what is asked for: flags and beds are more than their words.
+        // Cells are read as on the command line: flags and beds are not plain words.
         let value = |key: &String| match self.cell(key) {
             "" => None,
             cell => Some(keys::read_value(cell).into()),
@@ -117,7 +117,7 @@ impl Row {
         Choice { id: self.cell(CASE_ID.name).to_owned(), values: keys.iter().map(value).collect() }
     }
 
-    /// A value for people: with its error bar, its time, and a sign where it is a lower bound.
+    /// A value for people: with its error bar, its time, and a sign if it is a lower bound.
     fn value(&self, column: &Column) -> Option<String> {
         let cell = Some(self.cell(column.name)).filter(|cell| !cell.is_empty())?;
         let Some(value) = self.number(column.name).filter(|_| column.is_number()) else {
@@ -155,7 +155,7 @@ impl Row {
     }
 }
 
-/// The files of a case that are there.
+/// The files of a case that exist.
 fn files(directory: &Path, id: &str) -> Vec<PathBuf> {
     let places = [
         "histories/.csv",
@@ -186,7 +186,7 @@ fn told(row: &Row, known: &report::Row, keys: &[String], files: &[PathBuf]) -> S
     for (title, columns) in [("", parameters), ("\nresults\n", results), ("\nhealth\n", health)] {
         text.push_str(title);
         for column in columns {
-            // Of regular waves none is the first impact, and a record has no height that nobody asked for.
+            // Regular waves have no first impact. A record has no height unless one was given.
             let idle = (known.regular && column.of_first_impact)
                 || (known.unasked && column == &WAVE_HEIGHT_RATIO);
             if let Some(value) = row.value(column).filter(|_| !idle) {
@@ -201,7 +201,7 @@ fn told(row: &Row, known: &report::Row, keys: &[String], files: &[PathBuf]) -> S
     text
 }
 
-/// A long text goes on below its beginning.
+/// A line, where a long text goes on below its beginning.
 fn line(name: &str, value: &str) -> String {
     let lines = wrapped(value, WIDTH - INDENT);
     let below = format!("\n{:INDENT$}", "");

@@ -47,7 +47,7 @@ pub(super) struct SlurmArgs {
     settings: Vec<Setting>,
 }
 
-/// The script, with names in braces for what is filled in.
+/// The script, with names in braces where values are filled in.
 const SCRIPT: &str = include_str!("../../data/slurm.sh");
 
 fn command(text: &str) -> Result<String, String> {
@@ -55,7 +55,7 @@ fn command(text: &str) -> Result<String, String> {
     Some(text.trim()).filter(|text| !text.is_empty()).map(str::to_owned).ok_or_else(refused)
 }
 
-/// The longest time limit that is taken: beyond it is a slip, and far beyond it sbatch's own counter ends.
+/// The longest time limit that is taken. Longer ones are slips, or exceed sbatch's counter.
 const LONGEST_DAYS: f64 = 1000.0;
 const DAY_S: f64 = 86_400.0;
 
@@ -70,7 +70,7 @@ fn time(text: &str) -> Result<String, String> {
     seconds(text).filter(fits).map(|_| text.to_owned()).ok_or_else(refused)
 }
 
-/// A time limit in seconds: of a time without days that has no hours, minutes come first.
+/// A time limit in seconds. Without days and hours, minutes come first.
 fn seconds(text: &str) -> Option<f64> {
     let (days, clock) = text.split_once('-').map_or((None, text), |(d, clock)| (Some(d), clock));
     let number = |part: &str| {
@@ -90,7 +90,7 @@ fn seconds(text: &str) -> Option<f64> {
     Some(clock + DAY_S * days.map_or(Some(0.0), number)?)
 }
 
-/// A text with `{NAME}` for each of these names, filled in; what is filled in is not looked at again.
+/// A text with each `{NAME}` replaced. The values are not searched again.
 fn filled(mut script: &str, names: &[(&str, String)]) -> String {
     let mut text = String::new();
     while let Some(at) = script.find('{') {
@@ -140,7 +140,7 @@ pub(super) fn main(args: &SlurmArgs, output: &Output) -> anyhow::Result<u8> {
     Ok(SUCCESS)
 }
 
-/// A path that holds wherever the job starts, as a word of the shell.
+/// A path that is right wherever the job starts, as a word of the shell.
 fn absolute(path: &Path) -> Result<String, BadInput> {
     let told = || format!("{}: is no UTF-8 text, which a job script must be", named(path));
     let whole = std::path::absolute(path).map_err(|error| BadInput(error.to_string()))?;

@@ -1,4 +1,4 @@
-//! How far a study is, from the files of its directory.
+//! The progress of a study, from the files of its directory.
 
 use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
@@ -17,27 +17,27 @@ use crate::results::{
     read_journal_in_blocks,
 };
 
-/// What the journal tells.
+/// What the journal says.
 struct Known {
     header: Option<Header>,
-    /// How many cases there are, where points were added.
+    /// How many cases there are, if points were added.
     added: Option<usize>,
-    /// The last line of each run, by its place.
+    /// The last line of each run, by place.
     latest: BTreeMap<usize, Fared>,
 }
 
 impl Known {
-    /// Its first line alone.
+    /// Reads only the journal's first line.
     fn of_header(directory: &Path) -> anyhow::Result<Known> {
         let header = read_journal_header(directory)?;
         Ok(Known { header, added: None, latest: BTreeMap::new() })
     }
 
-    /// All of it.
+    /// Reads the whole journal.
     fn of_journal(directory: &Path) -> anyhow::Result<Known> {
         let (mut added, mut places) = (None, None);
         if let Ok(Some(study)) = stored::in_rounds(directory) {
-            // Points that were added have moved the others' places; finer numerics have ids of their own.
+            // Added points have moved the others' places. Finer numerics have their own ids.
             added = Some(study.cases.len());
             let index = study.runs().map(|case| (case.id, case.index));
             places = Some(index.collect::<HashMap<_, _>>());
@@ -54,41 +54,41 @@ impl Known {
     }
 }
 
-/// What is done, what failed and what is left.
+/// What is done, what has failed and what is left.
 pub(super) struct Standing {
     header: Header,
-    /// Those of the file, and points that were added.
+    /// The cases of the file, and added points.
     cases: usize,
     done: usize,
     pub(super) failed: usize,
     companions: usize,
     companions_done: usize,
-    /// Films and page are still to be made.
+    /// Whether films and page are still to be made.
     owed: bool,
     pub(super) running: bool,
     to_go_s: Option<f64>,
     failures: Vec<FailedCases>,
-    /// That of the last session's ranks.
+    /// The load of the last session's ranks.
     load: Option<Load>,
     ranks: usize,
-    /// Cases that they run at once.
+    /// How many cases the ranks run at once.
     places: usize,
-    /// Seconds that finished cases have taken.
+    /// The time that finished cases have taken, seconds.
     spent_s: f64,
 }
 
 impl Standing {
-    /// That of a directory.
+    /// The progress of a directory's study.
     pub(super) fn of(directory: &Path) -> anyhow::Result<Standing> {
         demand_output_of_study(directory, "journal.jsonl")?;
         let manifest = Manifest::read(directory);
         let companions = manifest.as_ref().map_or(0, |manifest| manifest.companions);
-        // Of a closed study in which nothing failed nothing more is to be told.
+        // For a closed study without failures there is nothing more to report.
         let closed = Closing::read(directory).is_some_and(|closing| closing.failed == 0);
         let known =
             if closed { Known::of_header(directory)? } else { Known::of_journal(directory)? };
         let Known { header, added, mut latest } = known;
-        // Where the journal's first line is lost, the manifest tells the same.
+        // If the journal's first line is lost, the manifest says the same.
         let lost = manifest.as_ref().filter(|_| !latest.is_empty());
         let header = header.or_else(|| {
             let Manifest { name, sweep, cases, .. } = lost?;
@@ -100,7 +100,7 @@ impl Standing {
             return Err(BadInput::of(directory, reason).into());
         };
         let cases = added.unwrap_or(header.cases);
-        // Lines beyond the cases are resolution companions.
+        // Places after the cases are those of companions.
         let companions_done = latest.split_off(&cases).len().min(companions);
         let records: Vec<_> = latest.into_values().collect();
         let failed: Vec<_> = records.iter().filter(|record| record.failure.is_some()).collect();
@@ -144,7 +144,7 @@ impl Standing {
         self.left() + self.companions_left() == 0 && !self.owed
     }
 
-    /// For people.
+    /// The words for people.
     pub(super) fn told(&self) -> String {
         let state = match self.left() + self.companions_left() {
             _ if self.running => "running",
@@ -177,7 +177,7 @@ impl Standing {
         text
     }
 
-    /// For programs.
+    /// The same for programs.
     pub(super) fn json(&self) -> Value {
         let rank =
             |load: &Load, rank: usize| json!({ "busy_share": load.share(rank), "rank": rank });
@@ -205,7 +205,7 @@ impl Standing {
         })
     }
 
-    /// For one who looks again and again.
+    /// The numbers for someone who looks again and again.
     pub(super) fn view(&self) -> View {
         View {
             busy_s: self.load.as_ref().map(Load::busy_s),

@@ -1,4 +1,4 @@
-//! `seawall status`: how far a sweep is, from its files alone.
+//! `seawall status`: the progress of a sweep, from its files alone.
 
 use std::path::PathBuf;
 use std::time::Duration;

@@ -15,7 +15,7 @@ pub(super) fn study(directory: &Path) -> anyhow::Result<(Study, SimdPath)> {
     let bad = |reason: String| BadInput::of(directory, reason);
     let (_, study) = file_and_study(directory)?;
     let unfinished = || bad("the sweep was stopped before it began".to_owned());
-    // Where the journal's first line is lost, the manifest tells the same.
+    // If the journal's first line is lost, the manifest says the same.
     let simd = read_journal_header(directory)?.map(|header| header.simd);
     let simd = simd.or_else(|| Manifest::read(directory)?.simd_path()).ok_or_else(unfinished)?;
     if !simd.is_supported() {
@@ -25,8 +25,8 @@ pub(super) fn study(directory: &Path) -> anyhow::Result<(Study, SimdPath)> {
     Ok((study, simd))
 }
 
-/// Refuses a directory without `summary.csv`. Where a report would make it again from the journal, that is named: it
-/// is quicker than a sweep.
+/// Refuses a directory without `summary.csv`. If `report` can make that from the journal, the
+/// message names it: it is faster than a sweep.
 pub(super) fn demand_summary(directory: &Path) -> Result<(), BadInput> {
     demand_output_of_study(directory, SUMMARY).map_err(|error| {
         let has_journal = directory.join(JOURNAL).is_file();
@@ -57,7 +57,7 @@ fn manifest_and_file(directory: &Path) -> anyhow::Result<(Manifest, SweepFile)> 
     Ok((manifest, file))
 }
 
-/// The file that a directory was made from, with what the command line set, and its study.
+/// The file that a directory was made from, with the settings of the command line, and its study.
 pub(super) fn file_and_study(directory: &Path) -> anyhow::Result<(SweepFile, Study)> {
     let bad = |reason: String| BadInput::of(directory, reason);
     let (manifest, file) = manifest_and_file(directory)?;
@@ -78,8 +78,8 @@ pub(super) fn file_and_study(directory: &Path) -> anyhow::Result<(SweepFile, Stu
     Ok((file, study))
 }
 
-/// The study as its sweep goes on with it, where that is done in rounds which add points or choose finer numerics; `None`
-/// of all others.
+/// The study as its sweep goes on with it, if its rounds add points or choose finer numerics;
+/// `None` for other studies.
 pub(super) fn in_rounds(directory: &Path) -> anyhow::Result<Option<Study>> {
     let (manifest, file) = manifest_and_file(directory)?;
     let aim = manifest.max_error_percent.or(file.max_error_percent);

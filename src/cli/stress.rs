@@ -78,7 +78,7 @@ fn table_of(judged: &[Judged]) -> String {
     csv([header.map(str::to_owned)].into_iter().chain(judged.iter().map(row)))
 }
 
-/// The matrix of what survives where, then every case with its criterion.
+/// The matrix of methods and cases survived, then every case with its criterion.
 fn markdown(matrix: &Matrix, judged: &[Judged]) -> String {
     let methods = different(judged.iter().map(|row| row.method.as_str()));
     let mut text = format!(

@@ -92,7 +92,7 @@ pub(super) struct SweepArgs {
 }
 
 impl SweepArgs {
-    /// Whether nothing is asked of a finished study but to be told again.
+    /// Whether a finished study only has to be reported again.
     fn only_goes_on(&self) -> bool {
         !self.fresh && !self.retry_failed && self.simd.path().is_none()
     }
@@ -114,7 +114,7 @@ pub(super) fn main(args: &SweepArgs, output: &Output, launcher: Launcher) -> any
     let interrupt = Interrupt::listen()?;
     let setup = Setup {
         make_runner: &|resources| {
-            // Every rank finds out for itself where results go.
+            // Every rank works out for itself where results go.
             let out = args.out.clone().or_else(|| out_of(&args.file, &args.settings));
             let keep = out.and_then(|out| Keeping::new(&out, args.keep.checkpoint_every_s));
             Box::new(SphRunner { resources, film: None, keep })
@@ -186,7 +186,7 @@ fn lead(
     let left = done.directory.left();
     done.directory.forget_records();
     drop(job);
-    // Of files that have just been written none is bad input.
+    // A fault in files that have just been written is not bad input.
     let written = crate::report::write(done.directory.path()).map_err(|error| match error {
         ReportError::Write { .. } => error.into(),
         _ => anyhow::anyhow!("{error}"),
@@ -200,7 +200,7 @@ fn lead(
     Ok(code)
 }
 
-/// Runs a job, and what its goal asks for after it, round by round.
+/// Runs a job, and then round by round what its goal asks for.
 fn in_rounds(
     file: &Path,
     goal: &Goal,
@@ -233,7 +233,7 @@ fn tell_interrupted(job: &Job, done: &Done, crew: &dyn Crew, output: &Output) {
     }
 }
 
-/// What a finished sweep tells people and programs.
+/// The final words of a sweep, for people and programs.
 fn told_at_end(
     goal: &Goal,
     job: &Job,

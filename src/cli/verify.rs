@@ -63,14 +63,14 @@ pub(super) fn main(args: &VerifyArgs, output: &Output) -> anyhow::Result<u8> {
     Ok(if told.is_empty() { SUCCESS } else { CASES_FAILED })
 }
 
-/// Without the manifest nothing tells what the other files should hold.
+/// Without the manifest nothing says what the other files should hold.
 fn lost(what: &str, output: &Output) -> anyhow::Result<u8> {
     let told = format!("manifest.json {what}: `seawall sweep` of the same file makes it again");
     output.result(&format!("{told}\n"), &json!({ "cases": null, "rerun": 0, "damage": [told] }))?;
     Ok(CASES_FAILED)
 }
 
-/// Places of so many well cases, spread evenly.
+/// Places of so many successful cases, evenly spread.
 fn sample(study: &Study, records: &[Option<CaseRecord>], number: usize) -> Vec<usize> {
     let well = |record: &Option<CaseRecord>| record.as_ref().is_some_and(CaseRecord::is_ok);
     let places: Vec<_> = (0..study.cases.len()).filter(|&at| well(&records[at])).collect();

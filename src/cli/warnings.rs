@@ -1,4 +1,4 @@
-//! What a file says and hardly means: told by `check`, `run` and `sweep`, which go on.
+//! Values that a file hardly intends: reported by `check`, `run` and `sweep`, which go on.
 
 use std::collections::BTreeMap;
 use std::f64::consts::SQRT_2;
@@ -16,22 +16,22 @@ use crate::scene::{SeawallScene, odd_values};
 use crate::simulation::{Cost, Limits, cost};
 use crate::study::{Case, Study};
 
-/// Cases that are looked at in one go.
+/// How many cases are looked at in one go.
 const CHUNK: usize = 4096;
-/// A study that takes longer than this, seconds, is told with what makes it long.
+/// A study that takes longer than this is reported with the keys that make it long, seconds.
 const LONG_S: f64 = 86_400.0;
 
-/// Tells the warnings of a file as notes.
+/// Prints the warnings of a file as notes.
 pub(super) fn tell(file: &Path, study: &Study, output: &Output) {
     for line in warnings(study, time_of_all(study)) {
         output.note(format_args!("warning: {}: {line}", named(file)));
     }
 }
 
-/// Odd values by their keys: the first one of each, and in how many cases it is odd.
+/// Odd values by key: the first one of each, and the number of cases with odd values.
 type Odd = BTreeMap<String, (String, usize)>;
 
-/// Those of some cases.
+/// The odd values of some cases.
 fn odd(cases: &[Case]) -> Odd {
     let mut odd = Odd::new();
     for value in cases.iter().flat_map(|case| odd_values(&case.config)) {
@@ -41,7 +41,7 @@ fn odd(cases: &[Case]) -> Odd {
     odd
 }
 
-/// The odd values of a study, a line per key, and its cost where that is high: `time` is what [`time_of_all`] says.
+/// The odd values of a study, a line per key, and its cost if high. `time` is from [`time_of_all`].
 pub(super) fn warnings(study: &Study, time: (f64, usize)) -> Vec<String> {
     let chunks: Vec<_> = study.cases.par_chunks(CHUNK).map(odd).collect();
     let mut odd = Odd::new();
@@ -56,7 +56,7 @@ pub(super) fn warnings(study: &Study, time: (f64, usize)) -> Vec<String> {
     odd.chain(unbarred(study)).chain(long(study, time)).chain(limited(study)).collect()
 }
 
-/// A single scene runs as it is, whatever error its file aims at.
+/// A single scene runs as it is, even if its file aims at an error.
 fn unaimed(study: &Study) -> Option<String> {
     let percent = study.max_error_percent.filter(|_| study.keys.is_empty())?;
     Some(format!(
@@ -65,7 +65,7 @@ fn unaimed(study: &Study) -> Option<String> {
     ))
 }
 
-/// How many cases ask for error bars in vain, and why the first of them does.
+/// How many cases ask for error bars that they cannot have, and why the first cannot.
 fn without_bars(study: &Study) -> Option<String> {
     let cases = Some(study.without_bars).filter(|&cases| cases > 0)?;
     let mut own = study.cases.iter().zip(&study.companions_of).filter(|(_, own)| own.is_empty());
@@ -78,7 +78,7 @@ fn without_bars(study: &Study) -> Option<String> {
     ))
 }
 
-/// How many cases ask for error bars and are no seawalls: their companions run, and nothing comes of them.
+/// How many cases ask for error bars but are no seawalls: their companions run for nothing.
 fn unbarred(study: &Study) -> Option<String> {
     let pairs = study.cases.iter().zip(&study.companions_of);
     let in_vain =
@@ -130,7 +130,7 @@ fn long(study: &Study, (seconds, cores): (f64, usize)) -> Option<String> {
     ))
 }
 
-/// Tells where there are more threads than processors.
+/// Reports if there are more threads than processors.
 pub(super) fn tell_threads(threads: Option<u16>, output: &Output) {
     let processors = available_cores();
     if let Some(threads) = threads.filter(|&threads| usize::from(threads) > processors) {

@@ -1,21 +1,21 @@
-//! How fast a sweep gets on, seen from outside: from one look at its files to the next.
+//! The speed of a sweep, seen from outside: from one look at its files to the next.
 
 use std::time::Instant;
 
 use crate::math::words::counted;
 
-/// What counts of a look.
+/// The numbers of a look.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct View {
     /// Finished cases and companions.
     pub(super) done: usize,
     /// Seconds that finished cases have taken.
     pub(super) spent_s: f64,
-    /// Seconds that its ranks have been busy in this session, what they are at included.
+    /// The time that its ranks have been busy in this session, with their current work, seconds.
     pub(super) busy_s: Option<f64>,
     /// Ranks of the last session.
     pub(super) ranks: usize,
-    /// Cases that they run at once.
+    /// How many cases the ranks run at once.
     pub(super) places: usize,
 }
 
@@ -30,15 +30,15 @@ impl Watch {
         Watch { first, since: Instant::now() }
     }
 
-    /// A look's text, with the rate since the first one where there is any.
+    /// A look's text, with the rate since the first look, if there is one.
     pub(super) fn told(&mut self, text: &str, now: View) -> String {
         let line = rate(self.first, now, self.since.elapsed().as_secs_f64());
         line.map_or_else(|| text.to_owned(), |line| format!("{text}{line}\n"))
     }
 }
 
-/// Cases per hour, the ranks, and the share of their places in which nothing ran; none before a case has
-/// ended. Where the ranks' own load is not known, only cases that have ended count.
+/// Cases per hour, the ranks, and the idle share of their places; `None` before a case has ended.
+/// If the ranks' load is unknown, only finished cases count.
 fn rate(first: View, now: View, seconds: f64) -> Option<String> {
     let done = now.done.checked_sub(first.done).filter(|&done| done > 0)?;
     let per_hour = done as f64 / seconds * 3600.0;
@@ -61,7 +61,7 @@ mod tests {
         let now = View { done: 13, spent_s: 40.0, ..first };
         let told = rate(first, now, 10.0).unwrap();
         assert_eq!(told, "10 cases in 10 s: 3600 per hour on 2 ranks, 25 % idle");
-        // What the ranks are at counts where they tell it.
+        // The ranks' current work counts if they report it.
         let [first, now] =
             [(first, 20.0), (now, 58.0)].map(|(view, busy)| View { busy_s: Some(busy), ..view });
         assert!(rate(first, now, 10.0).unwrap().ends_with("on 2 ranks, 5 % idle"));

@@ -6,7 +6,7 @@ use super::Answer;
 use crate::report::find::{Boundary, Reading, Verdict};
 
 impl Answer<'_> {
-    /// For programs.
+    /// The answer for programs.
     pub(in crate::cli) fn value(&self) -> Value {
         let rows = |verdict| self.found.rows(verdict).map(|row| self.case(row)).collect::<Vec<_>>();
         let met = rows(Verdict::Met);

@@ -23,7 +23,7 @@ fn what_is_on_is_told_and_only_that() {
     assert_eq!(value(on, "probes"), some("P1"));
 }
 
-/// The story: the relaxation time of a beach stood there as `5.711372491708257 s`.
+/// The story: the relaxation time of a beach was printed as `5.711372491708257 s`.
 #[test]
 fn a_derived_number_has_few_digits_and_a_written_one_all() {
     let bed = "[scene]\nbed = [[0, 0], [2.25, 0], [4, 0.35]]\ntank_length_m = 4\n";

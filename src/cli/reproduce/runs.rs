@@ -14,7 +14,7 @@ use crate::papers::{Run, files};
 use crate::results::{CaseRecord, SweepError, finished};
 use crate::study::{Study, SweepFile};
 
-/// The study of a run with what the recipe and the user set.
+/// The study of a run with the settings of the recipe and of the user.
 pub(super) fn study(run: &Run, settings: &[Setting]) -> Result<Study, BadInput> {
     let bad = |reason: &dyn std::fmt::Display| {
         BadInput(format!("{} (inside the program): {reason}", run.file))
@@ -35,13 +35,13 @@ pub(super) struct Needed {
     /// Where it goes.
     directory: PathBuf,
     cases: usize,
-    /// How many of its cases are there already.
+    /// How many of its cases are finished.
     finished: usize,
-    /// What all of them take, seconds.
+    /// The expected time of all of them, seconds.
     expected_time_s: f64,
 }
 
-/// Each of a figure's studies; `how` is on how many threads, and whether they start over.
+/// Each of a figure's studies. `how` holds the number of threads, and whether they start over.
 pub(super) fn needed(
     runs: &[Run],
     studies: &[Study],
@@ -64,7 +64,7 @@ pub(super) fn needed(
     runs.iter().zip(studies).map(one).collect()
 }
 
-/// The same in words.
+/// The needed studies in words.
 pub(super) fn told(needed: &[Needed]) -> String {
     let line = |one: &Needed| {
         let done = match one.finished {

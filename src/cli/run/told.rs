@@ -1,4 +1,4 @@
-//! What `seawall run` tells: the inputs before it starts, and the results.
+//! The words of `seawall run`: the inputs before it starts, and the results.
 
 use crate::cli::output::{duration, short, with_bar};
 use crate::cli::table::Table;
@@ -62,10 +62,10 @@ pub(super) fn told(record: &CaseRecord, config: &CaseConfig, bars: Bars) -> Stri
     text
 }
 
-/// What one has to know before one reads a number.
+/// Columns that readers need before they read a number.
 const FIRST: [&Column; 2] = [&DOUBTFUL_REASON, &COARSE_SPACING];
 
-/// What came out of a case, as far as it has it.
+/// The results of a case, as far as it has them.
 fn outcome_table(case: &Case<'_>) -> String {
     let number = |column: &Column, value: f64| {
         column.error(case).map_or_else(|| short(value), |bar| with_bar(value, bar))
@@ -78,7 +78,7 @@ fn outcome_table(case: &Case<'_>) -> String {
             Value::Text(text) => text,
         };
         let time = column.time(case).map(|time| format!(" at {time:.4} s")).unwrap_or_default();
-        // At the very end and still moving: the maximum is yet to come.
+        // The wall still moves at the end: the maximum is yet to come.
         let (start, end) =
             if is_bound(column, case) { ("≥ ", ", still moving at the end") } else { ("", "") };
         let text = text.trim_end();
@@ -106,7 +106,7 @@ fn readings_table(readings: &[NamedReading]) -> String {
     table.render()
 }
 
-/// Every term, its share of the paddle's work where there is a paddle that works, and what is left over.
+/// Every term, its share of the paddle's work if the paddle works, and the energy gap.
 fn energy_table(budget: &EnergyBudget, gap_percent: f64, wall: Option<WallChoice>) -> String {
     let (paddle, spent) = energy::ALL.split_first().expect("a budget has terms");
     let work = (paddle.read)(budget);
@@ -116,7 +116,7 @@ fn energy_table(budget: &EnergyBudget, gap_percent: f64, wall: Option<WallChoice
     let mut line = |name: &str, value: f64| {
         let share = match work {
             0.0 => String::new(),
-            // A paddle that was pushed back has less than none.
+            // A paddle that was pushed back has negative work.
             work => format!("  {:>16.2}", 100.0 * value / work.abs()),
         };
         text.push_str(&format!("{name:<26}{:>10}{share}\n", short(value)));

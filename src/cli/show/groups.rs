@@ -1,4 +1,4 @@
-//! Which columns of the summary are results, which tell of health, and which are parameters.
+//! Sorts the summary's columns into results, health and parameters.
 
 use crate::quantities::summary::{
     ALL, CASE_ID, COARSE_SPACING, DOUBTFUL_REASON, MEASURED_WAVE_HEIGHT_RATIO, PARTICLES_LOST,
@@ -6,7 +6,7 @@ use crate::quantities::summary::{
 };
 use crate::quantities::{Column, Unit};
 
-/// Columns of results, of health, of parameters; bars and flags stand beside what they belong to.
+/// Columns of results, health and parameters. Bars and flags stand beside their column.
 pub(super) fn groups() -> (Vec<&'static Column>, Vec<&'static Column>, Vec<&'static Column>) {
     let belongs = |column: &&Column| {
         ALL.iter().any(|other| [other.bar, other.bound].contains(&Some(column.name)))
@@ -31,7 +31,7 @@ pub(super) fn groups() -> (Vec<&'static Column>, Vec<&'static Column>, Vec<&'sta
     (results, health, parameters)
 }
 
-/// Whether a column repeats what a file says: it is called like a key.
+/// Whether a column repeats a value of a file: it has the name of a key.
 fn is_configured(column: &Column) -> bool {
     let numerics = crate::scene::numerics_keys();
     let scene = crate::scene::scene_keys(crate::scene::Kind::DEFAULT);
