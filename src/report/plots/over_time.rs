@@ -1,4 +1,4 @@
-//! Panels of curves over time, one below the other on one axis of time.
+//! Panels of curves over time, side by side in rows, each with the same axis of time.
 
 use super::axes::Axis;
 use super::chart::{Chart, Curve};
