@@ -1,12 +1,12 @@
 //! Frames of particles as bytes.
 //!
 //! A particle has three numbers, x, y and a colour, in quanta. Particles are in the order of the
-//! first frame: column after column, each from the bed up. The decoder can predict each number, and
-//! only the difference from the prediction is coded:
-//! - The first frame predicts from three neighbours in the lattice: the one before, the one a
-//!   column before, and the one before that.
-//! - Later frames predict from the particle's own place in the frame before, moved like the two
-//!   neighbours that are already known.
+//! first frame: column after column, each from the bed up. The decoder can predict each number. Only
+//! the difference from the prediction is coded.
+//!
+//! The first frame predicts from three neighbours in the lattice: the one before, the one a column
+//! before, and the one before that. Later frames predict from the particle's own place in the frame
+//! before, moved like the two neighbours that are already known.
 //!
 //! After the first frame a difference of less than one quantum is left out, so numbers are right
 //! within a quantum. Still and slow water then needs almost no bytes.

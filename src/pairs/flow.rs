@@ -1,5 +1,8 @@
-//! The numbers of a neighbour that a pass over velocities sums, and the sums of differences that
-//! follow: Σ g (u_i - u_j) Δ = u_i Σ g Δ - (r_i Σ g u_j - Σ g u_j r_j).
+//! What a pass over velocities sums of each neighbour. Sums of differences follow from it.
+//!
+//! ```text
+//! Σ g (u_i - u_j) Δ = u_i Σ g Δ - (r_i Σ g u_j - Σ g u_j r_j)
+//! ```
 
 use super::factors::Factors;
 use super::held::{Added, HeldPairs, Product};

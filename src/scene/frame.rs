@@ -89,12 +89,10 @@ impl Frame {
 
     /// Time step, seconds.
     ///
-    /// These bounds apply:
-    /// - c0 Δt/Δx, reduced for supports narrower than 3.9 Δx; in incompressible water Δt/√(Δx/g);
-    /// - α n c0 Δt/Δx and ν n Δt/R² of viscosity, which is explicit over n steps (one in
-    ///   incompressible water);
-    /// - δ c0 Δt/R of density diffusion;
-    /// - `time_step_s`.
+    /// Sound bounds c0 Δt/Δx, more tightly for supports narrower than 3.9 Δx. In incompressible
+    /// water gravity bounds Δt/√(Δx/g) instead. Viscosity is explicit over n steps (one in
+    /// incompressible water). It bounds α n c0 Δt/Δx and ν n Δt/R². Density diffusion bounds
+    /// δ c0 Δt/R. The step is never longer than `time_step_s`.
     pub fn time_step(&self, numerics: &Numerics) -> f64 {
         let spacing = numerics.particle_spacing_m;
         let mut bound = match numerics.scheme {

@@ -100,8 +100,8 @@ impl<'a> Sounding<'a> {
         }
     }
 
-    /// For a place that was looked up: the share of the kernel that is water, relative to the part
-    /// without walls; and the water's pressure, Σ W V [p + ρg(y_j - y)] / Σ W V.
+    /// Share and pressure of the water at a place that was looked up. The share of the kernel is
+    /// relative to the part without walls. The pressure is Σ W V [p + ρg(y_j - y)] / Σ W V.
     fn at(&self, x: f64, y: f64) -> (f64, f64) {
         let near = &*self.near;
         let (kernel, radius) = self.water.kernel();

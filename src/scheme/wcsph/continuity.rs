@@ -15,8 +15,9 @@ use super::diffusion::Diffusion;
 use crate::boundary::Gives;
 use crate::pairs::{Double, Factors, Flow, FlowSums, Fluid, Held, HeldEquation, Here, Own};
 
-/// The rows that the equation writes: the strain rate; the rates of change of density; the sums of
-/// g times the neighbours' shares in the diffusion; tr (∇u)² at the last strain rate, 1/s².
+/// The rows that the equation writes. The first has the strain rate. Of the other three the first
+/// has the rates of change of density. The second sums g times the neighbours' shares in the
+/// diffusion. The third has tr (∇u)² at the last strain rate, 1/s².
 pub(super) type Rows<'r> = (&'r mut [[f64; 2]], [&'r mut [f64]; 3]);
 
 /// The equation.
