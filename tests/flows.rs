@@ -61,22 +61,27 @@ fn a_standing_wave_decays_by_its_viscosity() {
 const STANDING: &str = "kind = \"standing-wave\"\nstill_water_depth_m = 0.2\ntank_length_m = 0.6\n\
                         amplitude_ratio = 0.075\n";
 
+/// Numerics of scenes whose waves do not go on.
+const AS_OTHER_SCENES: &str = "extrapolated_correction = false\nlimited_viscosity = true\n\
+                               support_radius_ratio = 4.0\nartificial_viscosity = 0.1\n\
+                               shifting_coefficient = 0.25\nghost_gravity = \"in-sum\"\n";
+
 /// A corrected divergence lets particles creep closer at the same densities. After some twelve periods
 /// the water sank through itself by 2 % of its depth, and was stirred by what it fell.
 #[test]
 fn waves_that_go_on_do_not_sink() {
     let scene = format!("{STANDING}end_after_periods = 20.25");
     let mean_level = |numerics: &str| {
-        let numerics =
-            format!("particle_spacing_m = 0.0125\nboundary = \"normalized\"\n{numerics}");
+        let numerics = format!("particle_spacing_m = 0.0125\n{numerics}");
         let samples = run(&scene, &numerics).history;
         let last = samples.len() / 5;
         let levels = samples[samples.len() - last..].iter().map(|sample| sample.runup);
         levels.sum::<f64>() / last as f64
     };
-    let kept = mean_level("shifting = \"deep\"\nvolume_feedback = 0.002");
+    let kept = mean_level("");
     assert!(kept.abs() < 0.005, "{kept} h");
-    let sunk = mean_level("");
+    let sunk =
+        mean_level(&format!("{AS_OTHER_SCENES}volume_feedback = 0.0\nshifting = \"interior\""));
     assert!(sunk < -0.01, "{sunk} h");
 }
 
@@ -95,8 +100,8 @@ fn a_wave_that_comes_back_keeps_its_energy() {
 #[test]
 fn waves_that_go_on_keep_their_height() {
     let scene = format!("{STANDING}end_after_periods = 40.25");
-    let numerics = "particle_spacing_m = 0.0125\nboundary = \"normalized\"\nshifting = \"deep\"\n\
-                    volume_feedback = 0.002\nextrapolated_correction = true\nlimited_viscosity = false";
+    let numerics = "particle_spacing_m = 0.0125\nghost_gravity = \"in-sum\"\nsupport_radius_ratio = 4.0\n\
+                    artificial_viscosity = 0.1\nshifting_coefficient = 0.25";
     let samples = run(&scene, numerics).history;
     let end = samples.last().unwrap().time_s;
     let height = |periods: std::ops::Range<f64>| {
@@ -111,6 +116,35 @@ fn waves_that_go_on_keep_their_height() {
     let [half, whole] = [height(19.0..20.0), height(39.0..40.0)].map(|height| height / first);
     println!("{half} after twenty periods, {whole} after forty");
     assert!((half - 1.0).abs() < 0.03 && (whole - 1.0).abs() < 0.05, "{half}, {whole}");
+}
+
+/// A long standing wave over ten periods, by default. With numerics of other scenes it lost 12 % of its amplitude
+/// beyond theory, and 39 % of its energy came from nowhere.
+#[test]
+fn a_long_standing_wave_keeps_its_amplitude() {
+    let scene = "kind = \"standing-wave\"\nstill_water_depth_m = 0.3\ntank_length_m = 2.4\n\
+                 amplitude_ratio = 0.05\nend_after_periods = 10.25";
+    let result = run(scene, "particle_spacing_m = 0.03");
+    let (decay, gap) = (reading(&result, "decay_gap"), result.outcome.energy_gap_percent);
+    println!("{decay} % of the amplitude, energy gap {gap} %");
+    assert!(decay.abs() < 2.0 && gap.abs() < 20.0, "{decay} %, energy gap {gap} %");
+}
+
+/// Water without viscosity that tears, and water that is hit all at once. With steps three times as long the vortices
+/// found 17 % of their energy or ended early, and dam breaks 1.5 to 2.5 %.
+#[test]
+fn torn_water_finds_no_energy() {
+    let inviscid = "kinematic_viscosity_m2_per_s = 0.0\nparticle_spacing_m";
+    for (scene, numerics, bound) in [
+        ("taylor-green", format!("{inviscid} = 0.0195"), 2.5),
+        ("taylor-green", format!("{inviscid} = 0.0175"), 2.0),
+        ("dam-break", "particle_spacing_m = 0.0333".to_owned(), 1.2),
+        ("dam-break", "particle_spacing_m = 0.025".to_owned(), 0.9),
+    ] {
+        let gap = run(&format!("kind = \"{scene}\""), &numerics).outcome.energy_gap_percent;
+        println!("{scene}, {numerics}: {gap} %");
+        assert!(gap.abs() < bound, "{scene}, {numerics}: {gap} %");
+    }
 }
 
 /// Twice the viscosity, twice the rate: the difference of two rates is the viscosity's own, without

@@ -36,15 +36,19 @@ const STIRS_AT_GENTLE_SHORE_AFTER: f64 = 200.0;
 const LAST_ROW: f64 = 1.5;
 
 impl Scene {
-    /// Whether a crest climbs an upright wall, and strains the lattice of the water there.
+    /// Whether crests climb an upright wall, and strain the lattice of the water there.
     pub(super) fn has_crest_at_upright_wall(&self) -> bool {
-        self.seawall().is_some_and(|s| s.wave_height_ratio > 0.0 && s.wall_angle_deg == 90.0)
+        match self {
+            Scene::Seawall(scene) => scene.wave_height_ratio > 0.0 && scene.wall_angle_deg == 90.0,
+            Scene::StandingWave(_) => true,
+            _ => false,
+        }
     }
 
     /// Whether a solitary wave meets an upright wall over a bed that is nowhere steeper than 1:2.
     pub(super) fn has_solitary_wave_at_upright_wall(&self) -> bool {
         let steep = self.has_steep_bed() || self.has_steep_shore();
-        self.has_crest_at_upright_wall() && !self.has_train() && !steep
+        self.has_crest_at_upright_wall() && !self.has_waves_that_go_on() && !steep
     }
 
     /// Whether a run to the end time lasts until a solitary wave is at the wall again, and so long
@@ -70,8 +74,13 @@ impl Scene {
     }
 
     /// Whether its paddle makes regular waves.
-    pub(super) fn has_train(&self) -> bool {
+    fn has_train(&self) -> bool {
         self.seawall().is_some_and(|scene| scene.wave_train.is_some())
+    }
+
+    /// Whether its waves meet a wall again and again: a train, or a standing wave.
+    pub(super) fn has_waves_that_go_on(&self) -> bool {
+        self.has_train() || matches!(self, Scene::StandingWave(_))
     }
 
     /// Whether water may go over its wall.
@@ -142,11 +151,12 @@ impl Scene {
         self.seawall()?.uneven_bed()
     }
 
-    /// Whether water falls onto a floor or onto other water, which it hits all at once.
-    pub(super) fn plunges(&self) -> bool {
+    /// Whether water hits a wall, a floor or other water all at once.
+    pub(super) fn hits_at_once(&self) -> bool {
         match self {
-            Scene::Seawall(scene) => scene.behind.keeps(),
-            _ => self.plunges_on_water(),
+            Scene::Seawall(scene) => scene.behind.keeps() || self.hits_dry_wall(),
+            Scene::DamBreak(_) => true,
+            _ => false,
         }
     }
 

@@ -3,8 +3,10 @@
 use std::f64::consts::TAU;
 
 use super::config::CaseConfig;
+use super::crest::Behind;
 use super::kind::Scene;
 use super::numerics::{Numerics, Scheme};
+use super::probe::ProbeKind;
 use super::seawall::SeawallScene;
 use crate::boundary::{BoundaryChoice, Profile};
 use crate::scheme::isph::Laplacian;
@@ -82,7 +84,8 @@ impl Facts<'_> {
         let Scene::TaylorGreen(scene) = self.scene() else { return false };
         let rows = (scene.box_side_m / self.numerics.particle_spacing_m).round();
         let corrected = self.weakly && self.numerics.corrected_gradients;
-        corrected && rows % 2.0 == 1.0 && scene.background_pressure_ratio < 3.0
+        let long_steps = self.numerics.courant_number > 1.2;
+        corrected && long_steps && rows % 2.0 == 1.0 && scene.background_pressure_ratio < 3.0
     }
 
     /// Whether ghosts get their values in this way.
@@ -122,6 +125,19 @@ impl Facts<'_> {
     /// Whether water may go over the wall.
     pub fn has_crest(&self) -> bool {
         self.scene().has_crested_wall()
+    }
+
+    /// Whether a gauge of level or pressure stands on a dry floor behind a wall.
+    pub fn has_gauge_on_floor(&self) -> bool {
+        let Some(scene) = self.scene().seawall().filter(|scene| scene.behind == Behind::Floor)
+        else {
+            return false;
+        };
+        let gauges = [ProbeKind::Level, ProbeKind::Elevation, ProbeKind::Pressure];
+        self.config.probes.iter().any(|probe| {
+            let behind = probe.x_m.is_some_and(|x| x > scene.tank_length_m);
+            behind && gauges.contains(&probe.kind)
+        })
     }
 
     /// Whether it has regular waves for more than ten periods.

@@ -162,11 +162,11 @@ impl Numerics {
     /// Applies the settings of the preset `default` to a scene of this kind. The particle spacing
     /// is in metres. `timed` is whether the run can only end at its end time.
     fn suit(&mut self, scene: &Scene, particle_spacing: f64, timed: bool) {
-        if scene.plunges() || scene.hits_dry_wall() {
+        if scene.hits_at_once() {
             // Long steps add energy to water that is hit all at once.
             self.courant_number = 0.6;
-        } else if scene.stirs_at_gentle_shore() {
-            // Long steps also add energy to tongues.
+        } else if scene.stirs_at_gentle_shore() || scene.walls() == Walls::Closed {
+            // Long steps also add energy to tongues, and to water that tears.
             self.courant_number = 0.9;
         }
         if !scene.has_crest_at_upright_wall() {
@@ -187,7 +187,7 @@ impl Numerics {
         if solitary && scene.is_upright_over_level_bed() {
             self.sound_speed_ratio = sound_speed_ratio(scene.frame().depth, particle_spacing);
         }
-        if solitary || scene.has_train() {
+        if solitary || scene.has_waves_that_go_on() {
             // On the way to the wall small gains and losses of energy add up.
             self.extrapolated_correction = true;
             self.limited_viscosity = false;
@@ -195,18 +195,18 @@ impl Numerics {
         let again = timed && scene.hits_again();
         let leans = scene.seawall().is_some_and(|tank| tank.wall_angle_deg != 90.0);
         let uneven = scene.bed().is_some() || scene.has_crested_wall();
-        if scene.has_train() || uneven || (again && leans) {
+        if scene.has_waves_that_go_on() || uneven || (again && leans) {
             // Water creeps along slopes, and along walls that regular waves keep meeting. Under
             // trains before a crest, the forces on face and ghosts differ by up to 3.5 % at ten
             // rows.
             self.boundary = BoundaryChoice::Normalized;
         }
-        if scene.has_train() {
-            // Ghosts that take all water to be at rest remove energy of a train at the wall.
+        if scene.has_waves_that_go_on() {
+            // Ghosts that take all water to be at rest remove energy of waves at the wall.
             self.ghost_gravity = GhostGravity::Falling;
         }
         self.conservative_crest = scene.has_crested_wall();
-        if scene.has_train() || scene.stirs_at_shore(particle_spacing) || again {
+        if scene.has_waves_that_go_on() || scene.stirs_at_shore(particle_spacing) || again {
             // Its volume needs correction where stirred water has the time to sink.
             self.shifting = Shifting::Deep;
             self.volume_feedback = 0.002;

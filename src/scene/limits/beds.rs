@@ -73,8 +73,13 @@ pub(super) const BEDS: &[Limit] = &[
             case.has_crest() && case.wave > 0.0 && case.rows.is_some_and(|rows| rows < 20.0 - 1e-6)
         },
         "a crest that water goes over at fewer than 20 rows over the depth: at 10 and 14 rows volumes of 0.1 to 0.5 h² were \
-         7 % below to 8 % above those of 40 rows, and smaller ones 53 % below to 88 % above; error_bars = \"pair\" tells of \
+         6 % below to 8 % above those of 40 rows, and smaller ones 50 % below to 18 % above; error_bars = \"pair\" tells of \
          each how far it may be off",
+    ),
+    (
+        |case| case.has_gauge_on_floor(),
+        "a gauge on a dry floor behind the wall: levels are right from three rows of water on, and pressures were 30 to 41 % too \
+         high there; with less water both read too little, down to a fiftieth; a probe of kind = \"volume\" tells all of it",
     ),
     (
         |case| case.reads_thin_tongues(),

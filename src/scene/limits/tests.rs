@@ -29,8 +29,22 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
     assert_eq!(count(&format!("{short} = 5"), "particle_spacing_m = 0.0125"), 1);
     assert_eq!(count(&format!("{short} = 5"), "particle_spacing_m = 0.008"), 0);
     let standing = "kind = \"standing-wave\"\nend_after_periods = 20";
-    assert_eq!(count(standing, ""), 1);
-    assert_eq!(count(standing, "volume_feedback = 0.002\nshifting = \"deep\""), 0);
+    assert_eq!(count(standing, ""), 0);
+    assert_eq!(count(standing, "volume_feedback = 0.0\nshifting = \"interior\""), 1);
+    let floor = "tank_length_m = 2\nbehind = \"floor\"\nfloor_length_m = 1\ncrest_freeboard_m = 0.1\n\
+                 crest_width_m = 0.1";
+    let gauge = |kind: &str, x: f64| {
+        let probe = format!("name = \"a\"\nkind = \"{kind}\"\nx_m = {x}");
+        let probe = if kind == "pressure" { format!("{probe}\ny_m = 0.01") } else { probe };
+        let probes = [probe.parse().unwrap()];
+        let (scene, numerics) = (floor.parse().unwrap(), toml::Table::new());
+        limits(&CaseConfig::with_probes(&scene, &numerics, &probes).unwrap()).len()
+    };
+    assert_eq!(
+        ["elevation", "level", "pressure", "volume"].map(|kind| gauge(kind, 2.5)),
+        [1, 1, 1, 0]
+    );
+    assert_eq!(gauge("elevation", 1.5), 0, "before the wall");
     let ridge = "tank_length_m = 2\nbed = [[0, 0], [1, 0], [1, 0.05], [2, 0.05]]";
     assert_eq!(count(ridge, "boundary = \"normalized\""), 0, "its bed gives back");
     let keeps = "boundary = \"normalized\"\nconservative_bed = false";
@@ -148,9 +162,11 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
     assert_eq!(count("wave_height_ratio = 0.8", ""), 2);
     let vortices = "kind = \"taylor-green\"";
     assert_eq!(count(vortices, ""), 0);
-    assert_eq!(count(vortices, "particle_spacing_m = 0.016"), 1, "63 rows");
+    assert_eq!(count(vortices, "particle_spacing_m = 0.016"), 0);
+    let long_steps = "particle_spacing_m = 0.016\ncourant_number = 1.8";
+    assert_eq!(count(vortices, long_steps), 1, "63 rows");
     let pressed = format!("{vortices}\nbackground_pressure_ratio = 5");
-    assert_eq!(count(&pressed, "particle_spacing_m = 0.016"), 0);
+    assert_eq!(count(&pressed, long_steps), 0);
     let source = "preset = \"huang2019\"";
     assert_eq!(count(vortices, source), 1);
     assert_eq!(count("kind = \"standing-wave\"", source), 1);
