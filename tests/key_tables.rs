@@ -6,7 +6,7 @@ use std::path::Path;
 use seawall::keys::{Key, Section, Shape};
 use seawall::scene::{Kind, Numerics, Preset, numerics_keys, probe_keys, scene_keys};
 use seawall::study::{limits_keys, refine_keys};
-use toml::Table;
+use toml::{Table, Value};
 
 /// A table in Markdown, a row per key, with a column for the defaults and one more for each named
 /// set of values that may stand in for them.
@@ -18,7 +18,13 @@ fn table(keys: &[&Key], sets: &[(&str, Table)]) -> String {
     let mut text =
         format!("| key | unit |{defaults}{names} allowed | meaning |\n|---|---|{rule}---|---|\n");
     for key in keys {
-        let value = |set: &Table| match set.get(key.name) {
+        let scheme =
+            |set: &Table| set.get("scheme").and_then(Value::as_str).unwrap_or("wcsph").to_owned();
+        let is_read = |set: &Table| {
+            let only = key.rule.only.filter(|when| when.key == "scheme");
+            only.is_none_or(|when| when.values.contains(&scheme(set).as_str()))
+        };
+        let value = |set: &Table| match set.get(key.name).filter(|_| is_read(set)) {
             Some(value) => format!(" {} |", code(&value.to_string())),
             None => " none |".to_owned(),
         };

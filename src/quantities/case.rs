@@ -1,6 +1,6 @@
 //! Where the values of a case are read.
 
-use crate::scene::{CaseConfig, SeawallScene};
+use crate::scene::{CaseConfig, Scheme, SeawallScene};
 use crate::simulation::{Maximum, Outcome};
 use crate::theory::hydrostatics::wall_force;
 
@@ -68,6 +68,11 @@ impl Case<'_> {
     /// The scene, where it is a seawall.
     pub(super) fn seawall(&self) -> Option<&SeawallScene> {
         self.config.scene.seawall()
+    }
+
+    /// Whether an interpolator fills the ghosts of its walls.
+    pub(super) fn has_interpolator(&self) -> bool {
+        self.config.numerics.scheme == Scheme::Wcsph
     }
 
     /// The scene, where it is a seawall that moves.

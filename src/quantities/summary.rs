@@ -35,7 +35,7 @@ quantities! { Read;
     /// height of the first crest that passes `wave_gauge_m`, over h
     MEASURED_WAVE_HEIGHT_RATIO = number("measured_wave_height_ratio", "H/h measured", Pure, |c| {
         c.outcome?.measured_wave_height_ratio
-    }).decimals(4);
+    }).decimals(4).of_a_single_wave();
     /// largest force F* (running mean) of the whole run
     FORCE_MAX = maximum("force_max", "F* max", Force, |c| Some(c.outcome?.force_max))
         .bar("force_max_error");
@@ -48,22 +48,22 @@ quantities! { Read;
     }).bar("displacement_error").bound("displacement_truncated");
     /// largest force F* (running mean) of the first impact
     FIRST_FORCE_MAX = maximum("first_force_max", "first F*", Force, |c| c.outcome?.first_force_max)
-        .bar("force_error").of_first_impact();
+        .bar("force_error").of_a_single_wave();
     /// largest runup R* of the first impact
     FIRST_RUNUP_MAX = maximum("first_runup_max", "first R*", Runup, |c| c.outcome?.first_runup_max)
-        .bar("runup_error").of_first_impact();
+        .bar("runup_error").of_a_single_wave();
     /// largest displacement X* of the first impact
     FIRST_DISPLACEMENT_MAX = maximum("first_displacement_max", "first X*", Displacement, |c| {
         c.outcome?.first_displacement_max
-    }).of_first_impact();
+    }).of_a_single_wave();
     /// first peak of F*: the largest so far when F* - 1 first falls 10 % below it
     FIRST_FORCE_PEAK = number("first_force_peak", "first peak, F*", Force, |c| {
         c.outcome?.first_force_peak
-    }).of_first_impact();
+    }).of_a_single_wave();
     /// first peak of R*: the largest so far when R* first falls 10 % below it
     FIRST_RUNUP_PEAK = number("first_runup_peak", "first peak, R*", Runup, |c| {
         c.outcome?.first_runup_peak
-    }).of_first_impact();
+    }).of_a_single_wave();
     /// largest F* of any single step, but for those in which the sound of a stop can be heard
     FORCE_MAX_RAW = number("force_max_raw", "F* max of any step", Force, |c| {
         Some(c.outcome?.force_max_raw)
@@ -103,10 +103,10 @@ quantities! { Read;
     /// error bar of `first_force_max`, see [physics.md](physics.md#error-bars); empty with
     /// `error_bars = "none"`, and where the companions failed
     FORCE_ERROR = number("force_error", "", Force, |c| c.bars.force)
-        .significant(3).of_first_impact();
+        .significant(3).of_a_single_wave();
     /// error bar of `first_runup_max`
     RUNUP_ERROR = number("runup_error", "", Runup, |c| c.bars.runup)
-        .significant(3).of_first_impact();
+        .significant(3).of_a_single_wave();
     /// error bar of `displacement_max`
     DISPLACEMENT_ERROR = number("displacement_error", "", Displacement, |c| {
         c.bars.displacement
@@ -121,8 +121,10 @@ quantities! { Read;
     WALL_TIME = number("wall_time_s", "", Seconds, |c| Some(c.wall_time_s));
     /// the scheme
     SCHEME = text("scheme", "", |c| Some(name_of(c.config.numerics.scheme)));
-    /// the interpolator at walls
-    BOUNDARY = text("boundary", "", |c| Some(name_of(c.config.numerics.boundary)));
+    /// the interpolator at walls; incompressible water has none: its walls mirror it
+    BOUNDARY = text("boundary", "", |c| {
+        c.has_interpolator().then(|| name_of(c.config.numerics.boundary))
+    });
     /// the smoothing kernel
     KERNEL = text("kernel", "", |c| Some(name_of(c.config.numerics.kernel)));
     /// the spacing of particles at the start
@@ -134,12 +136,14 @@ quantities! { Read;
         Some(c.seawall()?.force_coupling)
     });
     // Directories of the first version end here.
-    /// the water's own force on the wall in the first step: forces count from there, see
-    /// [walls.md](walls.md#force)
+    /// the water's own force on the wall in the first step: the forces of a seawall count from
+    /// there, see [walls.md](walls.md#force)
     FORCE_AT_REST = number("force_at_rest", "F* at rest", Force, |c| Some(c.outcome?.force_at_rest));
     /// how many times a ghost that counts was filled with what a simpler interpolation gave,
     /// because the chosen one had too few or badly placed neighbours
-    BOUNDARY_FALLBACKS = count("boundary_fallbacks", |c| Some(c.outcome?.boundary_fallbacks));
+    BOUNDARY_FALLBACKS = count("boundary_fallbacks", |c| {
+        c.outcome.filter(|_| c.has_interpolator()).map(|outcome| outcome.boundary_fallbacks)
+    });
     /// signed gap of the two force readings at `force_max`, less the gap at rest; both are means over
     /// 0.14 √(h/g)
     FORCE_MAX_GAP = number("force_max_gap_percent", "", Percent, |c| {
@@ -165,14 +169,14 @@ quantities! { Read;
     /// largest moment M* (running mean) of the first impact
     FIRST_MOMENT_MAX = maximum("first_moment_max", "first M*", Moment, |c| {
         c.outcome?.first_moment_max
-    }).of_first_impact();
+    }).of_a_single_wave();
     /// integral of F* - 1 over the first impact
     FIRST_IMPULSE = number("first_impulse", "first impulse", Impulse, |c| {
         c.outcome?.first_impulse
-    }).decimals(4).of_first_impact();
+    }).decimals(4).of_a_single_wave();
     /// time in which F* - 1 rises from 10 to 90 % of its maximum of the first impact
     RISE_TIME = number("rise_time_s", "rise time", Seconds, |c| c.outcome?.rise_time_s)
-        .decimals(4).of_first_impact();
+        .decimals(4).of_a_single_wave();
     /// largest force of the spring, k X of the largest displacement; empty where there is no spring
     SPRING_FORCE_MAX = maximum("spring_force_max", "spring F* max", Force, |c| {
         c.spring_force_max()

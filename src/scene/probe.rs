@@ -52,13 +52,15 @@ section! {
         /// Column of the output.
         name: String, plain();
         /// `pressure`, Pa. `level`: the surface over the bed at the left wall, m. `elevation`: the surface over
-        /// still water, m. `void`: the largest share of the kernel that water leaves empty at a wall, from its toe
+        /// still water, m. Where there is no water both are the ground, and under a wall that leans over the water at
+        /// most its face. `void`: the largest share of the kernel that water leaves empty at a wall, from its toe
         /// to a support radius below the highest contact (0.5 at a free surface). `volume`: of all water beyond an
         /// upright section, m². `discharge`: through such a section, m²/s.
         kind: ProbeKind, plain();
         /// The wall that a pressure probe sits in and moves with, or that is searched for voids.
         wall: Option<Side> = None, plain();
-        /// Place along the tank from the left wall at rest, of a probe in no wall.
+        /// Place along the tank from the left wall at rest, of a probe in no wall. A pressure probe reads up to half a
+        /// support radius behind a wall's face.
         x_m: Option<f64> = None, unit("m");
         /// Height over the paddle's foot, where the bed is level the height above it.
         y_m: Option<f64> = None, unit("m").only("kind", &["pressure"]);
@@ -89,7 +91,7 @@ impl Probe {
             (ProbeKind::Level | ProbeKind::Elevation, _, x) => {
                 let x = x.unwrap_or(0.0);
                 let over = match self.kind {
-                    ProbeKind::Level => "surface over the bed",
+                    ProbeKind::Level => "surface over the paddle's foot",
                     _ => OVER_STILL_WATER,
                 };
                 return format!("{over} where kernel coverage falls to 1/2; x = {x} m");

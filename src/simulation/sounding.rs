@@ -11,6 +11,8 @@ const WATERLINE: f64 = 0.4;
 /// Discharge is found from the water within this many spacings of its section; nearer water weighs
 /// more.
 const SECTION: f64 = 3.0;
+/// A wall whose unit normal rises or falls by less is upright.
+const LEANS: f64 = 1e-9;
 /// This many points of a face are looked up together.
 const LOOKED_UP: usize = 16;
 
@@ -177,12 +179,27 @@ impl<'a> Sounding<'a> {
         pressure * ((share - dry_at) / (wet_at - dry_at)).clamp(0.0, 1.0)
     }
 
-    /// Level of the water at x, metres above the bed: upwards from the bed, where the water's share
-    /// falls to 1/2. It is the bed itself where that is dry.
+    /// Level of the water at x, metres over the paddle's foot: upwards from the ground, where the
+    /// water's share falls to 1/2. It is the ground where that is dry. Under a wall that leans over
+    /// the water it is at most the wall's face.
     pub(super) fn level(&mut self, x: f64, highest: f64) -> f64 {
-        let bed = self.water.walls().ground(x);
-        self.look([x, x], [bed, highest]);
-        level_up_to(|y| self.at(x, y).0, [bed, highest], self.spacing)
+        let [ground, highest] = self.open_at(x, highest);
+        self.look([x, x], [ground, highest]);
+        level_up_to(|y| self.at(x, y).0, [ground, highest], self.spacing)
+    }
+
+    /// The heights at x between which water may be. They end at the face of a wall that leans.
+    fn open_at(&self, x: f64, highest: f64) -> [f64; 2] {
+        let ground = self.water.walls().ground(x);
+        let Plane { point, normal } = self.face(Place::Right);
+        let face = point[1] - (x - point[0]) * normal[0] / normal[1];
+        if normal[1] < -LEANS {
+            [ground.max(face), highest]
+        } else if normal[1] > LEANS {
+            [ground, face.clamp(ground, highest.max(ground))]
+        } else {
+            [ground, highest]
+        }
     }
 
     /// The largest share of the kernel that is empty at a wall, relative to the part without walls.

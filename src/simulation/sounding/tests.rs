@@ -2,6 +2,31 @@ use super::*;
 use crate::math::simd::SimdPath;
 use crate::scene::CaseConfig;
 
+/// Still water before leaning walls, 15 rows deep. A gauge over the face of a wall that leans away
+/// reads the surface up to the edge of the water, and the face beyond it. A gauge under an overhang
+/// reads the face.
+#[test]
+fn gauges_at_leaning_walls_read_the_surface_or_the_face() {
+    let level = |angle: f64, x: f64| {
+        let scene = format!("kind = \"hydrostatic\"\nwall_angle_deg = {angle}\ntank_length_m = 2");
+        let config = CaseConfig::of(&scene, "particle_spacing_m = 0.02");
+        let mut tank = config.scene.build(&config.numerics, SimdPath::Portable);
+        let bodies = tank.motions(0.0);
+        tank.water.prepare(&bodies, 1e-4).unwrap();
+        let mut near = Near::default();
+        Sounding::new(tank.water.as_ref(), &bodies, (9.81, 0.02, 1000.0), &mut near).level(x, 1.2)
+    };
+    let depth = level(90.0, 0.5);
+    for x in [1.9, 2.0, 2.1, 1.92 + depth] {
+        let found = level(135.0, x);
+        assert!((found - depth).abs() < 0.004, "{found} at {x}, {depth} inside");
+    }
+    for (angle, x, face) in [(135.0, 2.1 + depth, depth + 0.1), (45.0, 1.9, 0.1)] {
+        let found = level(angle, x);
+        assert!((found - face).abs() < 1e-9, "{found} at {x}, the face is at {face}");
+    }
+}
+
 #[test]
 fn a_void_is_the_share_that_water_leaves_empty() {
     let config = CaseConfig::of("kind = \"hydrostatic\"", "particle_spacing_m = 0.02");
