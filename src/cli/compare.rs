@@ -128,7 +128,8 @@ fn told(directories: [&Path; 2], comparison: &Comparison, all: bool) -> String {
 
 fn tallies(comparison: &Comparison, shared: &[&str]) -> String {
     let mut table = Table::new(["", "cases", "median", "worst", "within bars", "worst at"]);
-    for (at, (column, _)) in COMPARED.iter().enumerate() {
+    for at in 0..COMPARED.len() {
+        let column = comparison.column(at);
         let Some(tally) = Pair::tally(&comparison.pairs, at) else { continue };
         let within = match tally.with_bars {
             0 => "no bars".to_owned(),
@@ -200,7 +201,7 @@ fn cases(comparison: &Comparison, shared: &[&str], all: bool) -> String {
     let has = |at: &usize| pairs.iter().any(|pair| pair.differences[*at].is_some());
     let columns: Vec<usize> = (0..COMPARED.len()).filter(has).collect();
     let heads = columns.iter().flat_map(|&at| {
-        let (column, _) = COMPARED[at];
+        let column = comparison.column(at);
         let symbol = column.symbol.trim_start_matches("first ").trim_end_matches(" max");
         [format!("{symbol} of A"), format!("B - A, {}", unit(column.unit))]
     });

@@ -26,7 +26,7 @@ pub(super) fn value(
             "bound": one.bounds[0] || one.bounds[1],
         }),
     };
-    let names = COMPARED.map(|(column, _)| column.name);
+    let names: Vec<_> = (0..COMPARED.len()).map(|at| comparison.column(at).name).collect();
     let pair = |pair: &Pair| {
         let differences = names.iter().zip(&pair.differences);
         let values: serde_json::Map<_, _> =

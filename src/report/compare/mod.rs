@@ -13,6 +13,7 @@ use super::config::each_config;
 use super::error::ReportError;
 use super::load::Loaded;
 use super::row::Row;
+use crate::quantities::Column;
 use values::Values;
 
 pub use pair::{COMPARED, Difference, Pair, Tally};
@@ -30,7 +31,7 @@ pub struct DifferentKey {
 }
 
 /// What two studies have in common, and where they differ.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Comparison {
     /// Names of the studies.
     pub names: [String; 2],
@@ -79,6 +80,16 @@ pub fn compare(directories: [&Path; 2]) -> Result<Comparison, ReportError> {
         pairs: matches.iter().map(|&(at, other)| Pair::of(&a[at], &b[other])).collect(),
         only,
     })
+}
+
+impl Comparison {
+    /// The column of a compared quantity: the one that replaces it if no pair has its own.
+    pub fn column(&self, quantity: usize) -> &'static Column {
+        let (column, instead) = COMPARED[quantity];
+        let mut known = self.pairs.iter().filter_map(|pair| pair.differences[quantity]).peekable();
+        let replaced = known.peek().is_some() && known.all(|one| one.stands_in);
+        instead.filter(|_| replaced).unwrap_or(column)
+    }
 }
 
 impl<'a> Study<'a> {

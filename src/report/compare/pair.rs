@@ -4,7 +4,7 @@ use super::Side;
 use super::values::number_text;
 use crate::math::lists;
 use crate::quantities::summary::{
-    DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, RUNUP_MAX,
+    DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, OVERTOPPING_VOLUME, RUNUP_MAX,
 };
 use crate::quantities::{Column, Unit};
 use crate::report::number::plain;
@@ -13,14 +13,18 @@ use crate::report::spoken::all_spoken;
 
 /// Each compared quantity, with the column that replaces it where a case has no first impact. It
 /// also replaces it for regular waves, where the first hard impact may come from different waves.
-pub const COMPARED: [(&Column, Option<&Column>); 3] = [
+pub const COMPARED: [(&Column, Option<&Column>); QUANTITIES] = [
     (&FIRST_FORCE_MAX, Some(&FORCE_MAX)),
     (&FIRST_RUNUP_MAX, Some(&RUNUP_MAX)),
     (&DISPLACEMENT_MAX, None),
+    (&OVERTOPPING_VOLUME, None),
 ];
+const QUANTITIES: usize = 4;
 
 /// A wall that moves by less than this share of the depth has no displacement to compare in percent.
 const LEAST: f64 = 0.01;
+/// A smaller volume over a crest, m², has no difference in percent either.
+const LEAST_VOLUME_M2: f64 = 1e-5;
 
 /// A value in both cases.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,8 +35,10 @@ pub struct Difference {
     pub bars: [Option<f64>; 2],
     /// Whether they are lower bounds.
     pub bounds: [bool; 2],
-    /// Whether percent means something. Runups are given in h alone.
-    relative: bool,
+    /// Whether the column that replaces the quantity was read.
+    pub stands_in: bool,
+    /// A smaller value has no difference in percent. Runups have none: they are given in h alone.
+    least: Option<f64>,
 }
 
 /// Two cases of the same point.
@@ -45,7 +51,7 @@ pub struct Pair {
     /// The cases' identities.
     pub ids: [String; 2],
     /// What differs, in the order of [`COMPARED`].
-    pub differences: [Option<Difference>; 3],
+    pub differences: [Option<Difference>; QUANTITIES],
 }
 
 /// The differences of one quantity in all pairs.
@@ -71,10 +77,10 @@ impl Difference {
         self.values[1] - self.values[0]
     }
 
-    /// The difference over the first value, percent; `None` where the wall hardly moves.
+    /// The difference over the first value, percent; `None` where that is next to nothing.
     pub fn percent(&self) -> Option<f64> {
         let first = self.values[0];
-        (first.abs() > LEAST).then(|| 100.0 * self.absolute() / first.abs())
+        (first.abs() > self.least.unwrap_or(LEAST)).then(|| 100.0 * self.absolute() / first.abs())
     }
 
     /// The sum of the two bars; `None` where neither case has one.
@@ -105,10 +111,10 @@ impl Difference {
 
     /// The difference that is reported and counted: percent, or h for runups.
     pub fn size(&self) -> Option<f64> {
-        match self.relative {
+        match self.least {
             _ if self.is_open() => None,
-            true => self.percent(),
-            false => Some(self.absolute()),
+            Some(_) => self.percent(),
+            None => Some(self.absolute()),
         }
     }
 }
@@ -119,13 +125,19 @@ impl Pair {
         let difference = |(column, instead): (&'static Column, Option<&'static Column>)| {
             let lacks = rows.iter().any(|row| row.number(column).is_none());
             let regular = instead.filter(|_| rows.iter().any(|row| row.regular));
+            let quantity = column;
             let column = if lacks { instead? } else { regular.unwrap_or(column) };
             let values = [a.row.number(column)?, b.row.number(column)?];
             Some(Difference {
                 values,
                 bars: rows.map(|row| row.error(column)),
                 bounds: rows.map(|row| row.is_bound(column)),
-                relative: column.unit != Unit::Runup,
+                stands_in: column != quantity,
+                least: match column.unit {
+                    Unit::Runup => None,
+                    Unit::SquareMetres => Some(LEAST_VOLUME_M2),
+                    _ => Some(LEAST),
+                },
             })
         };
         Pair {

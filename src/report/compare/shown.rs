@@ -11,7 +11,7 @@ use crate::report::tables::{Table, plain};
 pub fn table(comparison: &Comparison) -> Table {
     let mut header: Vec<String> = PLACE.iter().map(|column| column.name.to_owned()).collect();
     header.extend(["case_id_a", "case_id_b", "case"].map(str::to_owned));
-    for (column, _) in COMPARED {
+    for column in (0..COMPARED.len()).map(|at| comparison.column(at)) {
         let ends =
             ["a", "b", "difference", "percent", "error_a", "error_b", "bound", "within_bars"];
         header.extend(ends.iter().map(|end| format!("{}_{end}", column.name)));
@@ -35,7 +35,7 @@ fn of(difference: Option<&Difference>) -> [String; 8] {
 
 /// The figure; `None` where no pair has both numbers.
 pub fn figure(comparison: &Comparison) -> Option<Figure> {
-    let columns = COMPARED.iter().map(|(column, _)| *column).enumerate();
+    let columns = (0..COMPARED.len()).map(|at| (at, comparison.column(at)));
     let charts = columns.filter_map(|(at, column)| chart(comparison, at, column)).collect();
     let [a, b] = &comparison.names;
     Some(Figure {

@@ -84,3 +84,25 @@ fn a_tally_names_its_worst_pair() {
     assert_eq!((tally.with_bars, tally.within), (2, 1));
     assert_eq!(Pair::tally(&pairs, 2), None);
 }
+
+/// The story: volumes over a crest were not compared, and maxima of regular waves stood under "first F*".
+#[test]
+fn volumes_are_compared_and_maxima_that_stand_in_have_their_own_name() {
+    let row = |volume: f64, regular: bool| {
+        let row = Row::default().with(&FIRST_FORCE_MAX, 2.0).with(&FORCE_MAX, 3.0);
+        let mut row = row.with(&OVERTOPPING_VOLUME, volume);
+        row.regular = regular;
+        row
+    };
+    let of = |regular: bool| pair_of([&row(0.004, regular), &row(0.005, regular)]);
+    let volume = of(false).differences[3].unwrap();
+    assert!((volume.percent().unwrap() - 25.0).abs() < 1e-9, "{volume:?}");
+    let none = pair_of([&row(1e-6, false), &row(0.0, false)]).differences[3].unwrap();
+    assert_eq!((none.percent(), none.values), (None, [1e-6, 0.0]));
+    let named = |pairs: Vec<Pair>| {
+        crate::report::compare::Comparison { pairs, ..Default::default() }.column(0).name
+    };
+    assert_eq!(named(vec![of(true)]), "force_max");
+    assert_eq!(named(vec![of(true), of(false)]), "first_force_max");
+    assert_eq!(named(Vec::new()), "first_force_max");
+}
