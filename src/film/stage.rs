@@ -63,6 +63,12 @@ pub(super) struct Stage {
     pub near: Option<Near>,
 }
 
+/// Height of a wall's crest over the paddle's foot, metres.
+fn crest_top(scene: &Scene) -> Option<f64> {
+    let scene = scene.seawall()?;
+    Some(scene.still_water_depth_m + scene.crest.as_ref()?.crest_freeboard_m)
+}
+
 /// Width of a wall's crest, metres.
 fn crest_width(scene: &Scene) -> f64 {
     let crest = scene.seawall().and_then(|scene| scene.crest.as_ref());
@@ -143,7 +149,8 @@ impl Stage {
         }
         let lid = (scene.walls() == Walls::Closed).then_some(length);
         let top = extreme(1, f64::max, depth).min(4.0 * depth);
-        let tall = lid.unwrap_or(top.max(1.3 * depth) + 0.5 * margin);
+        let crown = crest_top(scene).unwrap_or(0.0);
+        let tall = lid.unwrap_or(top.max(1.3 * depth).max(crown) + 0.5 * margin);
         let farthest = takes.iter().map(|take| take.walls[1]).fold(0.0, f64::max);
         let left = takes.iter().map(|take| take.walls[0]).fold(0.0, f64::min);
         let post = length + farthest + 0.7 * depth;
@@ -171,5 +178,20 @@ impl Stage {
     /// Height of the bed, metres.
     pub fn bed_at(&self, x: f64) -> f64 {
         self.bed.as_ref().map_or(0.0, |bed| bed.height(x))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The story: a wall with a high crest ran out of its picture at the top.
+    #[test]
+    fn a_high_crest_is_in_the_picture() {
+        let crest = "behind = \"outflow\"\ncrest_freeboard_m = 0.3\ncrest_width_m = 0.1";
+        let config = CaseConfig::of(crest, "particle_spacing_m = 0.02");
+        let take = Take { time_s: 0.0, walls: [0.0; 2], points: vec![[1.0, 0.19, 0.0]] };
+        let whole = Stage::of(&config, &[take]).whole;
+        assert!(whole.y1 > 0.5, "the crest is at 0.5 m, the picture ends at {}", whole.y1);
     }
 }

@@ -142,7 +142,7 @@ impl Still<'_> {
 
     fn solids(&self, text: &mut String, sheet: &Sheet, tops: &Tops) {
         let (stage, view) = (self.stage, sheet.view);
-        sheet.line(text, &tops.line());
+        tops.lines().iter().for_each(|line| sheet.line(text, line));
         if let Some(rest) = self.rest(sheet) {
             let dashes = "class=\"stroke\" stroke-dasharray=\"40 30\"";
             let points = sheet.points(&[[rest, 0.0], [rest, self.stage.tall]]);

@@ -101,13 +101,18 @@ impl Tops {
         Some(low + (along - bin as f64) * (high - low))
     }
 
-    /// The line through the tops, to the end of the last bin. That is the wall if it is upright.
-    pub fn line(&self) -> Vec<[f64; 2]> {
-        let points = self.heights.iter().enumerate();
-        let mut line: Vec<_> =
-            points.filter_map(|(bin, top)| Some([self.middle(bin), (*top)?])).collect();
-        line.extend(line.last().map(|[x, top]| [x + 0.5 * BIN * self.spacing, *top]));
-        line
+    /// The surface as lines through the tops of bins. Each goes to the end of its last bin, which is
+    /// the wall if that is upright. A line ends where more than one bin has no water.
+    pub fn lines(&self) -> Vec<Vec<[f64; 2]>> {
+        let wet = |&bin: &usize| self.heights[bin].is_some();
+        let wet: Vec<usize> = (0..self.heights.len()).filter(wet).collect();
+        let line = |run: &[usize]| {
+            let points = run.iter().filter_map(|&bin| Some([self.middle(bin), self.heights[bin]?]));
+            let mut line: Vec<_> = points.collect();
+            line.extend(line.last().map(|[x, top]| [x + 0.5 * BIN * self.spacing, *top]));
+            line
+        };
+        wet.chunk_by(|bin, next| next - bin <= 2).map(line).collect()
     }
 }
 
@@ -189,10 +194,23 @@ mod tests {
         let take = Take { time_s: 0.0, walls: [0.0; 2], points };
         let stage = Stage::of(&config, std::slice::from_ref(&take));
         let tops = Tops::of(&stage, &take, &stage.whole);
-        let line = tops.line();
-        assert!(line.len() > 20);
-        for [x, top] in line {
+        let lines = tops.lines();
+        assert!(lines.iter().flatten().count() > 20);
+        for [x, top] in lines.into_iter().flatten() {
             assert!((top - 0.1).abs() < 0.011, "{top} m at {x} m");
         }
+    }
+
+    #[test]
+    fn no_line_goes_through_the_air() {
+        let heights = [Some(1.0), None, Some(1.1), None, None, Some(3.0), None, None, Some(0.5)];
+        let tops =
+            Tops { left: 0.0, spacing: 1.0, bins: vec![Vec::new(); 9], heights: heights.into() };
+        let ends: Vec<_> =
+            tops.lines().iter().map(|line| (line[0], *line.last().unwrap())).collect();
+        assert_eq!(
+            ends,
+            [([0.75, 1.0], [4.5, 1.1]), ([8.25, 3.0], [9.0, 3.0]), ([12.75, 0.5], [13.5, 0.5]),]
+        );
     }
 }
