@@ -9,6 +9,7 @@ mod column;
 pub mod compare;
 mod config;
 pub mod curves;
+mod doubts;
 mod error;
 #[cfg(feature = "print")]
 mod export;

@@ -200,7 +200,7 @@ fn shown(lines: &[Line], common: &str) -> String {
         true => " Spikes of one or two samples may leave the panel.",
         false => "",
     };
-    format!("{what}{common}, over the time since the paddle's start.{spikes}")
+    format!("{what}{common}, over time.{spikes}")
 }
 
 fn strips(lines: &[Line]) -> Vec<Strip> {

@@ -36,7 +36,9 @@ pub(super) use legend::Entry;
 pub(super) use look::Look;
 pub(super) use marks::{key, point as case_point};
 pub(super) use over_time::lasting;
-pub(super) use printed::{PRINTED, entry as printed_entry, point as printed_point};
+pub(super) use printed::{
+    PRINTED, coloured as printed_in_colour, entry as printed_entry, point as printed_point,
+};
 pub(super) use sheet::{Drawing, Layout};
 
 use super::error::ReportError;

@@ -53,7 +53,7 @@ fn drawing(data: &Loaded, response: &Column, masses: &[&[&Row]], waves: &[f64]) 
         let curves = by(&WAVE_HEIGHT_RATIO, waves, &cases, |x, row| point(row, x, response));
         curves
             .into_iter()
-            .chain(printed::beside(data, response, rows, &LOG10_K_STAR))
+            .chain(printed::by_wave(data, response, rows, (&LOG10_K_STAR, waves)))
             .collect::<Vec<_>>()
     };
     let all: Vec<Curve> = masses.iter().flat_map(|rows| curves(rows)).collect();

@@ -15,6 +15,7 @@ mod surfaces;
 use std::path::PathBuf;
 
 use super::config::Config;
+use super::doubts;
 use super::error::ReportError;
 use super::load::Loaded;
 use super::papers::{self, Cases, Found, confront};
@@ -22,6 +23,7 @@ use super::plots::{self, Chart, Drawing, Figure, Layout};
 use super::row::Row;
 use super::tables::Table;
 use crate::papers::{Draw, Recipe, paper};
+use crate::quantities::summary::DOUBTFUL;
 
 /// A figure of a paper, as this program makes it.
 #[derive(Debug, Clone)]
@@ -117,6 +119,13 @@ pub fn reproduce(recipe: &Recipe, directories: &[PathBuf]) -> Result<Reproduced,
         recipe.shows,
         drawing.caption
     );
+    let mut sentences = if found.is_empty() {
+        let method = papers::method(material.cases().into_iter().map(|(_, row)| row));
+        vec![format!("No number of it is printed for these cases. Computed by {method}.")]
+    } else {
+        papers::sentences(&found)
+    };
+    sentences.extend(cases.iter().filter_map(|study| doubted(study.data, cases.len() > 1)));
     Ok(Reproduced {
         figure: Figure {
             name: recipe.stem(),
@@ -126,13 +135,16 @@ pub fn reproduce(recipe: &Recipe, directories: &[PathBuf]) -> Result<Reproduced,
         },
         tidy: papers::tidy(&found),
         beside: papers::beside(&found),
-        sentences: if found.is_empty() {
-            let method = papers::method(material.cases().into_iter().map(|(_, row)| row));
-            vec![format!("No number of it is printed for these cases. Computed by {method}.")]
-        } else {
-            papers::sentences(&found)
-        },
+        sentences,
     })
+}
+
+/// Which results of a study are doubtful; `None` if none is. `named`: with the study's name.
+fn doubted(data: &Loaded, named: bool) -> Option<String> {
+    data.finished().find(|row| row.is(&DOUBTFUL))?;
+    let told = doubts::doubtful(data)?;
+    let name = data.name().filter(|_| named);
+    Some(name.map_or_else(|| told.clone(), |name| format!("Study {name}: {told}")))
 }
 
 /// Fig. 3 of Liang et al. 2017: the report's own figure of fixed walls.
@@ -155,4 +167,26 @@ fn belongs(recipe: &Recipe, draw: &Draw, found: &Found) -> bool {
         _ => false,
     };
     own || drawn
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quantities::summary::DOUBTFUL_REASON;
+    use crate::report::fixture;
+
+    /// The story: four of five dam breaks behind a figure were doubtful, and nothing beside the figure said so.
+    #[test]
+    fn doubtful_results_behind_a_figure_are_told() {
+        let (_directory, mut data) = fixture::read(fixture::dam_breaks(3));
+        for row in &mut data.rows {
+            *row = row.clone().with(&DOUBTFUL, false);
+        }
+        assert_eq!(doubted(&data, false), None);
+        let doubtful = data.rows[1].clone().with(&DOUBTFUL, true);
+        data.rows[1] = doubtful.with(&DOUBTFUL_REASON, "force gap: the two differ by 3.3 %");
+        let told = doubted(&data, false).unwrap();
+        assert!(told.starts_with("1 of 3 results is doubtful: force gap (1)."), "{told}");
+        assert!(doubted(&data, true).unwrap().contains("1 of 3 results is doubtful"));
+    }
 }

@@ -9,7 +9,8 @@ use crate::report::curves::distinct;
 use crate::report::error::ReportError;
 use crate::report::papers::Found;
 use crate::report::plots::{
-    Axis, Chart, Curve, Entry, Layout, Look, Point, case_point, key, printed_entry, printed_point,
+    Axis, Chart, Curve, Entry, Layout, Look, Point, case_point, key, printed_entry,
+    printed_in_colour, printed_point,
 };
 use crate::report::row::{Row, label};
 
@@ -66,8 +67,7 @@ fn star(found: &Found) -> Option<Point> {
 /// A printed number in the colour of its wave.
 fn marked(row: &Row, mark: &Point, waves: &[f64]) -> Curve {
     let wave = waves.iter().position(|wave| row.number(&WAVE_HEIGHT_RATIO) == Some(*wave));
-    let entry = Entry::dots("", Look::of(wave.unwrap_or(0)).printed(), false).keyed("printed");
-    Curve { entry, points: vec![mark.clone()] }
+    Curve { entry: printed_in_colour(wave.unwrap_or(0)), points: vec![mark.clone()] }
 }
 
 fn point(row: &Row, column: &Column) -> Option<Point> {

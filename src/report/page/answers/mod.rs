@@ -2,7 +2,6 @@
 //! without the rows that they need are left out.
 
 mod aim;
-mod doubts;
 mod errors;
 mod force;
 mod halving;
@@ -13,6 +12,7 @@ mod stops;
 
 pub use force::most;
 
+use crate::report::doubts;
 use crate::report::load::Loaded;
 use crate::report::scene_file::SceneFile;
 

@@ -113,7 +113,15 @@ mod tests {
             "{told}"
         );
         assert_eq!(told.matches("tank_length_m = ").count(), 1, "{told}");
+        assert!(!told.contains("in some cases"), "{told}");
         assert_eq!(of("end_time_s = 30"), None);
+        let file =
+            "name = \"a\"\n[scene]\nwave_height_ratio = 0.2\n[grid]\ntank_length_m = [2.5, 12]";
+        let keys = vec![Swept::new("tank_length_m", ["2.5", "12"])];
+        let manifest = Some(json!({ "sweep_file": file, "overrides": [] }));
+        let rows = vec![Default::default(); 2];
+        let told = odd(&Loaded { rows, keys, manifest, ..Loaded::default() }).unwrap();
+        assert!(told.ends_with("(in some cases)."), "{told}");
         assert_eq!(odd(&Loaded::default()), None);
     }
 
