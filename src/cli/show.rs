@@ -186,8 +186,8 @@ fn told(row: &Row, known: &report::Row, keys: &[String], files: &[PathBuf]) -> S
     for (title, columns) in [("", parameters), ("\nresults\n", results), ("\nhealth\n", health)] {
         text.push_str(title);
         for column in columns {
-            // Regular waves have no first impact. A record has no height unless one was given.
-            let idle = (known.regular && column.of_first_impact)
+            // Regular waves have no first impact or crest that counts. A record has no height unless one was given.
+            let idle = (known.regular && column.of_a_single_wave)
                 || (known.unasked && column == &WAVE_HEIGHT_RATIO);
             if let Some(value) = row.value(column).filter(|_| !idle) {
                 text.push_str(&line(&column.heading_without_unit(), &value));

@@ -80,7 +80,7 @@ impl Column {
     /// Whether it has a number in a case that means something there.
     pub fn is_told(&self, case: &Case<'_>) -> bool {
         let regular = case.seawall().is_some_and(|scene| scene.wave_train.is_some());
-        self.value(case).is_some() && !(regular && self.of_first_impact)
+        self.value(case).is_some() && !(regular && self.of_a_single_wave)
     }
 
     /// Whether it holds words.
@@ -94,10 +94,11 @@ impl Column {
     }
 }
 
-/// Whether a column of this name, which may be that of a maximum's time, tells of the first impact.
-pub fn of_first_impact(name: &str) -> bool {
+/// Whether a column of this name, which may be that of a maximum's time, means something for a
+/// single wave alone.
+pub fn of_a_single_wave(name: &str) -> bool {
     let of_time = || named(name.strip_suffix("_time_s")?);
-    named(name).or_else(of_time).is_some_and(|column| column.of_first_impact)
+    named(name).or_else(of_time).is_some_and(|column| column.of_a_single_wave)
 }
 
 pub(super) const fn text(

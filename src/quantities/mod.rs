@@ -21,7 +21,7 @@ mod unit;
 pub mod wave;
 
 pub use case::{Bars, Case, Value, coarse_spacings};
-pub use column::{Read, of_first_impact};
+pub use column::{Read, of_a_single_wave};
 pub use symbol::{is_meant, meant_by, name_of_symbol};
 pub use unit::Unit;
 
@@ -56,8 +56,9 @@ pub struct Quantity<R> {
     pub bar: Option<&'static str>,
     /// The column of the flag which says that the value is a lower bound.
     pub bound: Option<&'static str>,
-    /// Whether it tells of the first impact, of which regular waves have none that counts.
-    pub of_first_impact: bool,
+    /// Whether it means something for a single wave alone: what tells of the first impact or of the
+    /// first crest means nothing for regular waves.
+    pub of_a_single_wave: bool,
     /// How it is read.
     pub read: R,
 }
@@ -72,7 +73,7 @@ impl<R: Copy> Quantity<R> {
             digits: Digits::All,
             bar: None,
             bound: None,
-            of_first_impact: false,
+            of_a_single_wave: false,
             read,
         }
     }
@@ -102,8 +103,8 @@ impl<R: Copy> Quantity<R> {
         self
     }
 
-    const fn of_first_impact(mut self) -> Self {
-        self.of_first_impact = true;
+    const fn of_a_single_wave(mut self) -> Self {
+        self.of_a_single_wave = true;
         self
     }
 

@@ -61,21 +61,27 @@ pub fn each_config(
 }
 
 /// Values in these rows that look like a slip, each key once with its first sentence, as `seawall
-/// check` prints it. Cases that play a record are left out: their file may be out of reach.
+/// check` prints it. It says so where only some of the cases have such a value. Cases that play a
+/// record are left out: their file may be out of reach.
 pub fn oddities(data: &Loaded, rows: impl Iterator<Item = usize>) -> Vec<String> {
     let Some(file) = data.file() else { return Vec::new() };
-    let mut odd = BTreeMap::new();
+    let mut odd: BTreeMap<String, (String, usize)> = BTreeMap::new();
+    let mut cases = 0;
     for row in rows {
         let Some([scene, numerics]) = file.of_row(&data.keys, row, &file.numerics) else {
             continue;
         };
         let case = CaseConfig::with_probes(&scene, &numerics, &file.probes);
         let Some(case) = case.ok().filter(|_| !scene.contains_key(STROKE)) else { continue };
+        cases += 1;
         for value in odd_values(&case) {
-            odd.entry(value.key.clone()).or_insert_with(|| value.to_string());
+            odd.entry(value.key.clone()).or_insert_with(|| (value.to_string(), 0)).1 += 1;
         }
     }
-    odd.into_values().collect()
+    let told = |(line, of): (String, usize)| {
+        if of == cases { line } else { format!("{line} (in some cases)") }
+    };
+    odd.into_values().map(told).collect()
 }
 
 /// The key of a recorded stroke, whose value here is its path. A long record in every case would

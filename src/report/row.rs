@@ -12,7 +12,7 @@ use super::number;
 use crate::quantities::summary::{
     CASE_ID, FORCE_AT_REST, SEAWALL_MASS, SPRING_STIFFNESS, STATUS, STOPS, WAVE_HEIGHT_RATIO,
 };
-use crate::quantities::{Column, named, of_first_impact};
+use crate::quantities::{Column, named, of_a_single_wave};
 
 /// The columns that usually tell a case from the others.
 pub(super) const PLACE: [&Column; 3] = [&WAVE_HEIGHT_RATIO, &SPRING_STIFFNESS, &SEAWALL_MASS];
@@ -94,9 +94,9 @@ impl Row {
         Ok(Row { wall_angle_deg, regular, unasked, ..row })
     }
 
-    /// Whether a column means nothing here: first impacts of regular waves.
+    /// Whether a column means nothing here: the first crest and the first impact of regular waves.
     fn is_idle(&self, name: &str) -> bool {
-        self.regular && of_first_impact(name)
+        self.regular && of_a_single_wave(name)
     }
 
     fn named(&self, name: &str) -> &str {

@@ -1,5 +1,5 @@
 use super::*;
-use crate::quantities::{named, of_first_impact};
+use crate::quantities::{named, of_a_single_wave};
 
 #[test]
 fn the_columns_are_those_of_the_contract() {
@@ -33,11 +33,17 @@ fn bars_and_bounds_are_columns() {
 /// The story: a list beside the declarations named those of the first impact whose names do not say it.
 #[test]
 fn what_is_called_first_is_of_the_first_impact() {
-    let of_first: Vec<_> = names().filter(|name| of_first_impact(name)).collect();
+    let of_first: Vec<_> = names().filter(|name| of_a_single_wave(name)).collect();
     for name in names().filter(|name| name.starts_with("first_")) {
         assert!(of_first.contains(&name), "{name}");
     }
-    for name in ["rise_time_s", "force_error", "runup_error", "first_force_max_time_s"] {
+    for name in [
+        "measured_wave_height_ratio",
+        "rise_time_s",
+        "force_error",
+        "runup_error",
+        "first_force_max_time_s",
+    ] {
         assert!(of_first.contains(&name.to_owned()), "{name}");
     }
     assert!(!of_first.contains(&"force_max_time_s".to_owned()) && of_first.len() < 20);
