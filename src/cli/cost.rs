@@ -36,8 +36,8 @@ fn processor_time(study: &Study, plan: &Plan) -> f64 {
         let numerics = &config.numerics;
         let share = match numerics.scheme {
             Scheme::Wcsph => {
-                of_full_steps(numerics.acoustic_substeps)
-                    * of_supports(numerics.support_radius_ratio)
+                substeps_share(numerics.acoustic_substeps)
+                    * support_share(numerics.support_radius_ratio)
             }
             Scheme::Isph => 1.0,
         };
@@ -51,15 +51,15 @@ fn processor_time(study: &Study, plan: &Plan) -> f64 {
     trunks.chain(cases).sum()
 }
 
-/// What steps take that are full ones every so many, over those of every third. One that follows the sound alone
-/// takes a quarter of a full one: with full steps alone a wave at a wall took 1.95 times as long.
-fn of_full_steps(substeps: u32) -> f64 {
+/// The time with so many acoustic substeps to a full step, over that with three. A substep takes a quarter of a full
+/// step. A wave at a wall took 1.95 times as long with full steps alone.
+fn substeps_share(substeps: u32) -> f64 {
     0.5 + 1.5 / f64::from(substeps)
 }
 
 /// The time with supports of so many spacings, over that with five. Neighbours take three quarters
 /// of the time (docs/performance.md).
-fn of_supports(ratio: f64) -> f64 {
+fn support_share(ratio: f64) -> f64 {
     0.26 + 0.74 * (ratio / 5.0).powi(2)
 }
 

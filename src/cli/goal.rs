@@ -1,4 +1,5 @@
-//! What a sweep is to reach beyond its cases: an error that its bars verify, or points wherever a result bends.
+//! The goal of a sweep. It may just run its cases. It may also run until its error bars are narrow enough, or add points
+//! wherever a result bends.
 
 use std::path::Path;
 
@@ -69,7 +70,7 @@ impl Goal {
         }
     }
 
-    /// How far a finished study came, added to what is told for people and for programs. The page reads what this writes.
+    /// Adds how far a finished study came to its results, as text and as JSON. The page reads the file that this writes.
     pub(super) fn report(
         &self,
         study: &Study,

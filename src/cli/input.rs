@@ -78,14 +78,14 @@ fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
     }
 }
 
-/// What a command takes a file for, and where one comes from.
+/// The kind of file that a command asks for, in the words of its error messages.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Wanted {
+pub(super) struct FileKind {
     file: &'static str,
     help: &'static str,
 }
 
-impl Wanted {
+impl FileKind {
     /// What to give.
     pub(super) fn told(self) -> String {
         format!("give {}{}", self.file, self.help)
@@ -93,14 +93,14 @@ impl Wanted {
 }
 
 /// A sweep or scene file.
-pub(super) const STUDY: Wanted =
-    Wanted { file: "a sweep or scene file", help: " (`seawall init NAME` writes one)" };
+pub(super) const STUDY: FileKind =
+    FileKind { file: "a sweep or scene file", help: " (`seawall init NAME` writes one)" };
 /// What `accuracy` and `stress` take.
-pub(super) const MATRIX: Wanted =
-    Wanted { file: "a file of cases and methods", help: ", or none: one is built in" };
+pub(super) const MATRIX: FileKind =
+    FileKind { file: "a file of cases and methods", help: ", or none: one is built in" };
 
 /// The text of a file.
-pub(super) fn read(path: &Path, wanted: Wanted) -> Result<String, BadInput> {
+pub(super) fn read(path: &Path, wanted: FileKind) -> Result<String, BadInput> {
     let bytes = bytes(path).map_err(|error| unreadable(path, &error, wanted))?;
     String::from_utf8(bytes).map_err(|error| {
         let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
@@ -110,7 +110,7 @@ pub(super) fn read(path: &Path, wanted: Wanted) -> Result<String, BadInput> {
 }
 
 /// Why a file cannot be read, and what would be one.
-fn unreadable(path: &Path, error: &std::io::Error, wanted: Wanted) -> BadInput {
+fn unreadable(path: &Path, error: &std::io::Error, wanted: FileKind) -> BadInput {
     let reason = if path.join(MANIFEST).is_file() {
         let told = named(path);
         format!("is the output directory of a study; `seawall status {told}` tells how it fares")

@@ -50,7 +50,8 @@ impl Output {
         written.and_then(|()| out.flush()).context("standard output")
     }
 
-    /// A result as JSON where a program reads it. That of a large study takes more than all else.
+    /// A result as JSON, made only if it is going to be printed. Making that of a large study takes more time than all
+    /// else that is printed.
     pub(super) fn value(&self, make: impl FnOnce() -> serde_json::Value) -> serde_json::Value {
         if self.is_json() { make() } else { serde_json::Value::Null }
     }

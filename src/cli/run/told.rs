@@ -91,7 +91,8 @@ fn outcome_table(case: &Case<'_>) -> String {
     FIRST.iter().chain(results).filter_map(|column| line(column)).collect()
 }
 
-/// A lower bound, or the same maximum as one.
+/// Whether the number is a lower bound because the wall still moves at the end. That holds for the largest displacement,
+/// and for what is computed from it.
 fn is_bound(column: &Column, case: &Case<'_>) -> bool {
     DISPLACEMENT_MAX.is_bound(case)
         && column.unit == DISPLACEMENT_MAX.unit
