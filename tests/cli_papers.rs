@@ -230,6 +230,11 @@ fn what_cannot_be_compared_is_told() {
     assert!(unwritable.err.contains("--out"), "{}", unwritable.err);
     let same = ended(0, &["compare", &one, &one]);
     assert!(!same.out.contains("They differ in"));
+    // The story: "have no case in common" was followed by the same words for both studies.
+    fs::remove_file(Path::new(&other).join("manifest.json")).unwrap();
+    let untold = ended(2, &["compare", &one, &other]);
+    let why = format!("{other}: manifest.json is missing or damaged");
+    assert!(untold.err.contains(&why), "{}", untold.err);
 }
 
 #[test]

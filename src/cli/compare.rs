@@ -25,7 +25,7 @@ use crate::results::SweepError;
   seawall compare results/runs/coarse results/runs/fine --out results/runs/difference
   seawall compare results/runs/liang2017 results/runs/liang2017_as_published --format json
 
-F* and R* are those of the first impact, X* of the whole run; differences are the second study less the
+F* and R* are those of the first impact, X* and volumes over a crest of the whole run; differences are the second study less the
 first. Exit code: 0 where it could compare, 2 where the studies have no case in common or cannot be read.")]
 pub(super) struct CompareArgs {
     /// The output directory of the first study.
@@ -60,6 +60,12 @@ pub(super) fn main(args: &CompareArgs, output: &Output) -> anyhow::Result<u8> {
 }
 
 fn nothing_in_common(directories: [&Path; 2], comparison: &Comparison) -> BadInput {
+    for (directory, has) in directories.into_iter().zip(comparison.have_manifest) {
+        if !has {
+            let why = "manifest.json is missing or damaged: it says what was swept; `seawall sweep` makes it again";
+            return BadInput::of(directory, why);
+        }
+    }
     let [a, b] = directories.map(named);
     BadInput(match comparison.only.each_ref().map(|only| only.first()) {
         [None, _] => format!("{a}: has no case that came to its end"),

@@ -84,9 +84,9 @@ section! {
         /// Smoothing kernel.
         kernel: KernelChoice = KernelChoice::WendlandC2, plain();
         /// Support radius of the kernel over the particle spacing. The preset `default` has 5 for
-        /// waves at upright walls alone, and 4 for all else.
+        /// waves at upright walls and standing waves alone, and 4 for all else.
         support_radius_ratio: f64 = 5.0, plain().within(2.0, 8.0).label("support radius/Δx");
-        /// How ghost particles get their values. Trains, beds that are not level, crests, and waves that come
+        /// How ghost particles get their values. Trains, standing waves, beds that are not level, crests, and waves that come
         /// back to a leaning wall (see `volume_feedback`) have `normalized` by default.
         boundary: BoundaryChoice = BoundaryChoice::ImprovedShepard, weakly(plain());
         /// Exponent λ of the improved Shepard weight (Huang et al. 2019, Eq. 20).
@@ -101,7 +101,7 @@ section! {
         amplification_limit: f64 = AMPLIFICATION_LIMIT, plain().within(1.0, 1e6)
             .read_where("boundary", &["sfdi", "mls-linear", "mls-quadratic"]);
         /// What gravity makes of a ghost's pressure. `falling` takes the water's own acceleration along walls off it. Wave
-        /// trains have that by default.
+        /// trains and standing waves have that by default.
         ghost_gravity: GhostGravity = GhostGravity::InSum, weakly(plain());
         /// Tangential condition at walls.
         slip: Slip = Slip::Free, weakly(plain());
@@ -117,7 +117,7 @@ section! {
         /// and energy; off in both papers.
         corrected_gradients: bool = true, weakly(plain()).label("gradient correction");
         /// The correction of a full step comes from the step before. This takes it on to the present, as
-        /// far as it has changed in that step. Trains, and solitary waves at upright walls over beds no
+        /// far as it has changed in that step. Trains, standing waves, and solitary waves at upright walls over beds no
         /// steeper than 1:2, have it by default.
         extrapolated_correction: bool = false, weakly(plain()).newer();
         /// Density diffusion.
@@ -128,17 +128,18 @@ section! {
         /// α of Huang et al. 2019, Eq. 5. By default 0.1 with 4 spacings, and 0.09 for solitary waves at
         /// upright walls over beds no steeper than 1:2.
         artificial_viscosity: f64 = 0.08, plain().within(0.0, 1.0).label("viscosity");
-        /// Artificial viscosity acts only on pairs that lose energy by it. Trains, and solitary waves at
+        /// Artificial viscosity acts only on pairs that lose energy by it. Trains, standing waves, and solitary waves at
         /// upright walls over beds no steeper than 1:2, have it off by default.
         limited_viscosity: bool = true, weakly(plain()).newer();
-        /// Particle shifting. Trains, steep beds and waves that come back have `deep` by default, see `volume_feedback` and
+        /// Particle shifting. Trains, standing waves, steep beds and waves that come back have `deep` by default, see `volume_feedback` and
         /// `conservative_bed`.
         shifting: Shifting = Shifting::Interior, plain();
         /// Strength A of the shifting. With 4 spacings by default 0.25.
         shifting_coefficient: f64 = 0.5,
             plain().within(0.0, 10.0).read_where("shifting", &["interior", "deep"])
                 .label("shifting strength");
-        /// How fast the error of the particles' volume is taken back, over c0/R. Trains have 0.002 by default.
+        /// How fast the error of the particles' volume is taken back, over c0/R. Trains and standing waves have 0.002 by
+        /// default.
         /// So do steep shores, which are beds steeper than 1:2 that come out of the still water, and such beds that end less than
         /// one and a half rows under it. In runs of more than
         /// 70 √(h/g) shores from 1:5 on have it, and in runs of more than 200 √(h/g) all. So do waves that come back:
@@ -161,10 +162,9 @@ section! {
         /// sound. Solitary waves above H/h = 0.7 at upright walls over beds no steeper than 1:2 have it by
         /// default, and dam breaks of more than 8 √(H/g) or 4 L/√(gH). It wants gravity and corrected gradients.
         surface_relief: bool = false, weakly(plain()).newer();
-        /// c0 Δt / Δx. By default 0.6 where water falls behind a wall, where a wave may run up to a wall that stands dry, up to
-        /// 2 H over the still water, and in dam breaks of more than
-        /// 8 √(H/g) or 4 L/√(gH). Else trains, and runs of more than 200 √(h/g), have 0.9 before
-        /// shores no steeper than 1:2.
+        /// c0 Δt / Δx. By default 0.6 in dam breaks, where water falls behind a wall, and where a wave may run up to a
+        /// wall that stands dry, up to 2 H over the still water. Boxes that water fills have 0.9. So have trains, and
+        /// runs of more than 200 √(h/g), before shores no steeper than 1:2.
         courant_number: f64 = 1.8, weakly(plain().within(1e-3, 2.5)).label("c0 Δt/Δx");
         /// γ: pressures are taken γ Δt ahead of the densities, which damps sound.
         bulk_damping: f64 = 0.1, weakly(plain().within(0.0, 1.0));

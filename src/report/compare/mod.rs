@@ -35,6 +35,8 @@ pub struct DifferentKey {
 pub struct Comparison {
     /// Names of the studies.
     pub names: [String; 2],
+    /// Whether each has a manifest that can be read. Without one nothing tells what was swept.
+    pub have_manifest: [bool; 2],
     /// How many cases of each are finished.
     pub finished: [usize; 2],
     /// Keys that differ in cases of the same point.
@@ -75,6 +77,7 @@ pub fn compare(directories: [&Path; 2]) -> Result<Comparison, ReportError> {
     });
     Ok(Comparison {
         names: data.each_ref().map(|data| data.name().unwrap_or_default().to_owned()),
+        have_manifest: data.each_ref().map(|data| data.manifest.is_some()),
         finished: [a.len(), b.len()],
         keys: matching::different_keys(&studies, &matches),
         pairs: matches.iter().map(|&(at, other)| Pair::of(&a[at], &b[other])).collect(),
