@@ -3,7 +3,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::common::{Desk, TINY, ended, journal_lines, run, sweep, with_gauge, write_file};
+use crate::common::{
+    Desk, TINY, Told, ended, journal_lines, run, seawall, sweep, with_gauge, write_file,
+};
 
 /// The files in a folder.
 fn files(folder: &Path) -> Vec<PathBuf> {
@@ -57,6 +59,36 @@ fn a_recorded_stroke_that_has_changed_is_named() {
     write(0.03);
     let told = ended(2, &["verify", &desk.dir]).err;
     assert!(told.contains("scene.recorded_stroke names a file that may have changed"), "{told}");
+}
+
+/// The story: away from the file of its stroke a study could not be checked, and a report took changed data for good.
+#[test]
+fn a_study_is_checked_without_the_file_of_its_stroke() {
+    let text = "name = \"a\"\n[scene]\npaddle = \"recorded-stroke\"\nend_time_s = 0.1\nrecorded_stroke = \"stroke.csv\"\n\
+                [numerics]\nparticle_spacing_m = 0.05\n[grid]\nboundary = [\"improved-shepard\"]\n";
+    let desk = Desk::new(text);
+    fs::write(desk.path().join("stroke.csv"), "time_s,stroke_m\n0,0\n0.5,0.01\n1,0.02\n").unwrap();
+    let at = |code: i32, folder: &Path, words: &[&str]| {
+        Told::of(seawall().args(words).current_dir(folder).output().unwrap(), code)
+    };
+    at(0, desk.path(), &["sweep", &desk.file, "--out", &desk.dir, "--film", "none"]);
+    let away = tempfile::tempdir().unwrap();
+    let missing = "scene.recorded_stroke: there is no file stroke.csv, sought from the folder where the program";
+    let told = at(0, away.path(), &["verify", &desk.dir]);
+    assert_eq!(told.out, "1 case: every file is as it was written\n");
+    assert!(told.err.contains("not compared with the journal") && told.err.contains(missing));
+    let told = at(0, away.path(), &["report", &desk.dir]).err;
+    assert!(told.contains(missing), "{told}");
+    let told = at(2, away.path(), &["verify", &desk.dir, "--rerun", "1"]).err;
+    assert!(told.contains(missing), "{told}");
+    let history = files(&desk.out.join("histories")).swap_remove(0);
+    let changed = fs::read_to_string(&history).unwrap().replace('1', "2");
+    fs::write(&history, changed).unwrap();
+    let damaged = format!("{} is damaged", history.display());
+    let told = at(1, away.path(), &["verify", &desk.dir]).out;
+    assert_eq!(told, format!("{damaged}\n"));
+    let told = at(1, away.path(), &["report", &desk.dir]).err;
+    assert!(told.contains(&damaged) && told.contains("1 file left out"), "{told}");
 }
 
 /// A report without the files that cannot be drawn, with their names, and whole again after the same command.

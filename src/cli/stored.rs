@@ -14,6 +14,7 @@ use crate::study::{Override, PHYSICS_VERSION, Study, SweepFile};
 pub(super) fn study(directory: &Path) -> anyhow::Result<(Study, SimdPath)> {
     let bad = |reason: String| BadInput::of(directory, reason);
     let (_, study) = file_and_study(directory)?;
+    demand_output_of_study(directory, JOURNAL)?;
     let unfinished = || bad("the sweep was stopped before it began".to_owned());
     // If the journal's first line is lost, the manifest says the same.
     let simd = read_journal_header(directory)?.map(|header| header.simd);
@@ -76,6 +77,18 @@ pub(super) fn file_and_study(directory: &Path) -> anyhow::Result<(SweepFile, Stu
         return Err(bad(reason).into());
     }
     Ok((file, study))
+}
+
+/// Why a directory's study cannot be made again: the file of its recorded stroke is not where the
+/// scene says. `None` if there is another reason, or none.
+pub(super) fn missing_stroke(directory: &Path) -> Option<String> {
+    let (_, file) = manifest_and_file(directory).ok()?;
+    let path = Path::new(file.missing_stroke()?);
+    let from = match path.is_relative() {
+        true => ", sought from the folder where the program was started",
+        false => "",
+    };
+    Some(format!("scene.recorded_stroke: there is no file {}{from}", named(path)))
 }
 
 /// The study as its sweep goes on with it, if its rounds add points or choose finer numerics;

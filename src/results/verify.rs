@@ -1,15 +1,17 @@
 //! Checks whether the contents of a directory are unchanged.
 
-use std::fs::File;
-use std::io::{BufRead, BufReader, Read, Write};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use super::entries::Condition;
+use super::ended::{Ended, EndedLine, Line};
+use super::entries::{Condition, Content};
 use super::error::SweepError;
 use super::filling::{self, Filling};
+use super::lock::Lock;
 use super::manifest::Manifest;
 use super::record::{CaseRecord, HeldLine};
-use super::{checkpoints, derived, energy, journal, opening, probe_columns, summary};
+use super::tables::{Fit, Table};
+use super::{checkpoints, derived, files, journal, opening};
 use crate::keys::named;
 use crate::study::Study;
 
@@ -18,6 +20,9 @@ use crate::study::Study;
 pub struct Verified {
     /// Everything that has changed, in words.
     pub told: Vec<String>,
+    /// Tables that are no longer or not yet those of the journal, because a sweep is at work or was
+    /// killed, in words.
+    pub older: Vec<String>,
     /// Files of cases that are damaged or missing.
     pub damaged: Vec<PathBuf>,
     /// The finished cases and companions, as in [`super::finished`].
@@ -26,165 +31,96 @@ pub struct Verified {
 
 /// Checks everything in a directory.
 pub fn verify(directory: &Path, study: &Study) -> Result<Verified, SweepError> {
+    let mut running = Lock::is_held(directory);
     let mut filling = Filling::<HeldLine>::new(directory, study);
     let content = journal::read_in_blocks(directory, |lines| filling.take(lines))?;
     let (records, damaged) = filling.all();
-    let mut told: Vec<String> = opening::told_damage(&content, false).into_iter().collect();
+    let mut told = of_journal(&content, Some(study), running);
+    told.extend(damaged.iter().map(filling::told));
+    let damaged = damaged.into_iter().map(|(path, _)| path).collect();
+    told.extend(of_checkpoints(directory));
+    let mut older = Vec::new();
+    for table in Table::ALL {
+        let fit = table.fit(directory, study, &records)?;
+        running = running || Lock::is_held(directory);
+        match fit {
+            Fit::Right => {}
+            Fit::Older => older.push(format!("{} {OLDER}", table.name())),
+            Fit::Wrong(_) if running => older.push(format!("{} {OLDER}", table.name())),
+            Fit::Wrong(what) => told.push(format!("{} {what}", table.name())),
+        }
+    }
+    told.extend(of_the_rest(directory));
+    Ok(Verified { told, older, damaged, records })
+}
+
+const OLDER: &str =
+    "is older than the journal; the next `seawall sweep` or `seawall report` makes it again";
+
+/// The result of a check without the study.
+#[derive(Debug)]
+pub struct VerifiedFiles {
+    /// Everything that has changed, in words.
+    pub told: Vec<String>,
+    /// Files of cases that are damaged or missing.
+    pub damaged: Vec<PathBuf>,
+    /// Number of finished cases.
+    pub cases: usize,
+}
+
+/// Checks every file with a checksum. The tables that are made from the journal have none: for those
+/// the study is needed.
+pub fn verify_files(directory: &Path) -> Result<VerifiedFiles, SweepError> {
+    let running = Lock::is_held(directory);
+    let mut latest = BTreeMap::new();
+    let content = journal::read_in_blocks(directory, |lines: Vec<EndedLine>| {
+        let files = lines.into_iter().map(|line| (line.ended(), line.split(0).1));
+        latest.extend(files.map(|(Ended { id, is_ok }, seals)| (id, (is_ok, seals))));
+    })?;
+    let mut told = of_journal(&content, None, running);
+    // Failed cases and companions have no files.
+    let with_files = latest.into_iter().filter(|(_, (is_ok, seals))| *is_ok && !seals.is_empty());
+    let (mut cases, mut damaged) = (0, Vec::new());
+    for (id, (_, seals)) in with_files {
+        cases += 1;
+        damaged.extend(files::damage(directory, id, &seals));
+    }
+    told.extend(damaged.iter().map(filling::told));
+    told.extend(of_checkpoints(directory));
+    told.extend(of_the_rest(directory));
+    Ok(VerifiedFiles { told, damaged: damaged.into_iter().map(|(path, _)| path).collect(), cases })
+}
+
+/// The damage of a journal. The last line of a running sweep may be on its way.
+fn of_journal(content: &Content<impl Sized>, study: Option<&Study>, running: bool) -> Vec<String> {
+    let mut told: Vec<String> = opening::told_damage(content, false).into_iter().collect();
+    let is_other = |sweep: &String| study.is_some_and(|study| *sweep != study.identity);
     match &content.header {
-        Some(header) if header.sweep != study.identity => {
+        Some(header) if is_other(&header.sweep) => {
             told.push(format!("journal.jsonl is of another sweep (\"{}\")", header.name));
         }
         None if told.is_empty() => told.push("journal.jsonl has lost its beginning".to_owned()),
-        _ if told.is_empty() && content.condition != Condition::Intact => {
+        _ if told.is_empty() && !running && content.condition != Condition::Intact => {
             told.push("journal.jsonl: its last line does not end".to_owned());
         }
         _ => {}
     }
-    told.extend(damaged.iter().map(filling::told));
-    let damaged = damaged.into_iter().map(|(path, _)| path).collect();
+    told
+}
+
+fn of_checkpoints(directory: &Path) -> impl Iterator<Item = String> {
     let kept = checkpoints::damaged(directory);
-    told.extend(kept.map(|path| format!("{} is damaged: what it is of starts over", named(&path))));
-    for table in Table::ALL {
-        if !table.fits(directory, study, &records)? {
-            let is_file = !directory.join(table.name()).is_dir();
-            let what = if is_file { table.told() } else { "is a directory" };
-            told.push(format!("{} {what}", table.name()));
-        }
-    }
-    told.extend(Manifest::damage(directory).map(|what| format!("manifest.json {what}")));
-    told.extend(derived::damage(directory));
-    Ok(Verified { told, damaged, records })
+    kept.map(|path| format!("{} is damaged: what it is of starts over", named(&path)))
 }
 
-/// Makes the tables again that differ from the journal; returns their names. If the journal lacks
-/// cases, and the summary has more rows than it, all tables stay. The sweep's next run makes them
-/// agree.
-pub fn renew_tables(
-    directory: &Path,
-    study: &Study,
-    records: &[Option<CaseRecord>],
-) -> Result<Vec<&'static str>, SweepError> {
-    let mut renewed = Vec::new();
-    let cases = &records[..study.cases.len()];
-    let known = cases.iter().flatten().count();
-    if known < cases.len() && rows(directory) > known {
-        return Ok(renewed);
-    }
-    for table in Table::ALL {
-        if !table.fits(directory, study, records)? {
-            match table {
-                Table::Summary => summary::write(directory, study, records)?,
-                Table::Energy => energy::write(directory, cases)?,
-                Table::ProbeColumns => probe_columns::write(directory, study, cases)?,
-            }
-            renewed.push(table.name());
-        }
-    }
-    Ok(renewed)
-}
-
-/// A table that is made from journal and study alone.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Table {
-    Summary,
-    Energy,
-    ProbeColumns,
-}
-
-/// Rows of `summary.csv`, damaged or not.
-fn rows(directory: &Path) -> usize {
-    let Ok(file) = File::open(directory.join(SUMMARY)) else { return 0 };
-    let (mut file, mut breaks) = (BufReader::with_capacity(BUFFER, file), 0_usize);
-    while let Ok(bytes @ [_, ..]) = file.fill_buf() {
-        breaks += bytes.iter().filter(|&&byte| byte == b'\n').count();
-        let read = bytes.len();
-        file.consume(read);
-    }
-    breaks.saturating_sub(1)
-}
-
-impl Table {
-    const ALL: [Table; 3] = [Table::Summary, Table::Energy, Table::ProbeColumns];
-
-    fn name(self) -> &'static str {
-        match self {
-            Table::Summary => SUMMARY,
-            Table::Energy => energy::FILE_NAME,
-            Table::ProbeColumns => probe_columns::FILE_NAME,
-        }
-    }
-
-    /// The fault of one that does not fit.
-    fn told(self) -> &'static str {
-        match self {
-            Table::Summary | Table::Energy => "is not what the journal says",
-            Table::ProbeColumns => "is damaged or missing",
-        }
-    }
-
-    /// Whether it agrees with the journal.
-    fn fits(
-        self,
-        directory: &Path,
-        study: &Study,
-        records: &[Option<CaseRecord>],
-    ) -> Result<bool, SweepError> {
-        let path = directory.join(self.name());
-        let cases = &records[..study.cases.len()];
-        if self == Table::ProbeColumns {
-            return Ok(probe_columns::fits(directory, study, cases));
-        }
-        if path.is_dir() {
-            return Ok(false);
-        }
-        if !path.exists() {
-            // Otherwise the sweep has not come so far.
-            return Ok(cases.iter().any(Option::is_none));
-        }
-        let there = File::open(&path).map_err(SweepError::io(&path))?;
-        let there = BufReader::with_capacity(BUFFER, there);
-        let mut comparison = Comparison { there, same: true };
-        let written = match self {
-            Table::Summary => {
-                summary::write_table(&mut comparison, study, records).map_err(Into::into)
-            }
-            Table::Energy => energy::write_table(&mut comparison, cases),
-            Table::ProbeColumns => Ok(()),
-        };
-        written.map_err(SweepError::io(&path))?;
-        let rest = comparison.there.fill_buf().map_err(SweepError::io(&path))?;
-        Ok(rest.is_empty() && comparison.same)
-    }
-}
-
-const SUMMARY: &str = "summary.csv";
-/// Bytes read at once.
-const BUFFER: usize = 1 << 20;
-
-/// Takes the expected contents of a file, and compares them with the file.
-struct Comparison {
-    there: BufReader<File>,
-    same: bool,
-}
-
-impl Write for Comparison {
-    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
-        if self.same {
-            let mut there = Vec::with_capacity(bytes.len());
-            (&mut self.there).take(bytes.len() as u64).read_to_end(&mut there)?;
-            self.same = there == bytes;
-        }
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> std::io::Result<()> {
-        Ok(())
-    }
+fn of_the_rest(directory: &Path) -> impl Iterator<Item = String> {
+    let manifest = Manifest::damage(directory).map(|what| format!("manifest.json {what}"));
+    manifest.into_iter().chain(derived::damage(directory))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::{finished, trial};
+    use super::super::{SessionInfo, finished, renew_tables, trial};
     use super::*;
 
     #[test]
@@ -232,5 +168,53 @@ mod tests {
         assert_eq!(renew_tables(&path, &study, &records).unwrap(), ["summary.csv"]);
         std::fs::write(path.join("journal.jsonl"), "").unwrap();
         assert_eq!(told()[0], "journal.jsonl has lost its beginning");
+    }
+
+    /// The story: while a sweep ran, and after it was killed, its tables were called damaged.
+    #[test]
+    fn tables_of_an_earlier_state_are_older_and_no_damage() {
+        let root = tempfile::tempdir().unwrap();
+        let (path, study) = (root.path().join("run"), trial::study("0.2, 0.3, 0.4"));
+        drop(trial::finished(&path, &study));
+        let mut manifest = Manifest::new(&path, &study, &[], trial::SIMD);
+        manifest.sessions.push(SessionInfo::default());
+        manifest.write(&path).unwrap();
+        let count = || {
+            let Verified { told, older, .. } = verify(&path, &study).unwrap();
+            [told.len(), older.len()]
+        };
+        assert_eq!(count(), [0, 0]);
+        for name in ["summary.csv", "energy.csv"] {
+            let text = std::fs::read_to_string(path.join(name)).unwrap();
+            let lines: Vec<_> = text.lines().collect();
+            std::fs::write(path.join(name), format!("{}\n{}\n", lines[0], lines[2])).unwrap();
+        }
+        assert_eq!(count(), [0, 2], "it was killed");
+        manifest.sessions[0].ended = Some(String::new());
+        manifest.write(&path).unwrap();
+        assert_eq!(count(), [2, 0], "it came to its end");
+        let lock = Lock::hold(&path).unwrap();
+        assert_eq!(count(), [0, 2], "it runs");
+        drop(lock);
+        manifest.sessions[0].ended = None;
+        manifest.write(&path).unwrap();
+        std::fs::write(path.join("summary.csv"), "case_id\nx\n").unwrap();
+        assert_eq!(count(), [1, 1], "no earlier state");
+        std::fs::remove_file(path.join("summary.csv")).unwrap();
+        assert_eq!(count(), [0, 2]);
+    }
+
+    #[test]
+    fn files_are_checked_without_the_study() {
+        let root = tempfile::tempdir().unwrap();
+        let (path, study) = (root.path().join("run"), trial::study("0.2, 0.3"));
+        drop(trial::finished(&path, &study));
+        Manifest::new(&path, &study, &[], trial::SIMD).write(&path).unwrap();
+        let found = verify_files(&path).unwrap();
+        assert_eq!((found.told, found.cases), (Vec::new(), 2));
+        let history = files::history_path(&path, study.cases[1].id);
+        std::fs::write(&history, "time_s\n").unwrap();
+        let found = verify_files(&path).unwrap();
+        assert_eq!((found.told.len(), found.damaged), (1, vec![history]));
     }
 }

@@ -50,14 +50,21 @@ pub fn accuracy_keys() -> Vec<&'static Key> {
 }
 
 const KEYS: [&str; 7] = ["name", "scene", "numerics", "probe", "accuracy", "limits", "grid"];
+/// The key that names another file.
+const STROKE: &str = "recorded_stroke";
 /// Keys in the files of two other commands.
 const OF_A_MATRIX: [&str; 2] = ["case", "method"];
 
 impl SweepFile {
     /// Whether its cases depend on another file: the stroke of a paddle.
     pub fn names_stroke(&self) -> bool {
-        const KEY: &str = "recorded_stroke";
-        self.scene.contains_key(KEY) || self.grid.iter().any(|axis| axis.key == KEY)
+        self.scene.contains_key(STROKE) || self.grid.iter().any(|axis| axis.key == STROKE)
+    }
+
+    /// The file of a recorded stroke of the scene that is not where its path says.
+    pub fn missing_stroke(&self) -> Option<&str> {
+        let path = self.scene.get(STROKE)?.as_str()?;
+        (!std::path::Path::new(path).exists()).then_some(path)
     }
 
     /// Reads a file's text and applies the command line's values.
