@@ -91,6 +91,54 @@ fn a_study_is_checked_without_the_file_of_its_stroke() {
     assert!(told.contains(&damaged) && told.contains("1 file left out"), "{told}");
 }
 
+/// The story: with a history gone, `verify --rerun` ended with 70 and kept for itself what else it had found. A film
+/// whose history had other line ends was told to have \"365 lines, not 365\".
+#[test]
+fn what_runs_again_is_held_against_damaged_files() {
+    let desk = Desk::new(TINY);
+    sweep(0, &desk.file, &desk.out, &[]);
+    let cases = crate::common::column(&desk.out, "case_id");
+    let history = |case: &str| desk.out.join(format!("histories/{case}.csv"));
+    let whole = fs::read(history(&cases[0])).unwrap();
+    let page = fs::read(desk.out.join("report.html")).unwrap();
+    fs::write(desk.out.join("report.html"), "").unwrap();
+    let ways: [&dyn Fn(&Path); 4] = [
+        &|path| fs::remove_file(path).unwrap(),
+        &|path| {
+            fs::remove_file(path).unwrap();
+            std::os::unix::fs::symlink("nowhere", path).unwrap();
+        },
+        &|path| fs::write(path, b"\xff\xfe").unwrap(),
+        &|path| {
+            fs::write(path, String::from_utf8(whole.clone()).unwrap().replace('\n', "\r\n"))
+                .unwrap();
+        },
+    ];
+    for way in ways {
+        way(&history(&cases[0]));
+        let told = ended(1, &["verify", &desk.dir, "--rerun", "8"]).out;
+        let of_case = told.lines().filter(|line| line.contains(&cases[0])).count();
+        assert!(of_case == 2 && told.contains("report.html is damaged"), "{told}");
+        let told = ended(1, &["film", &desk.dir, &cases[0]]).err;
+        let (_, why) = told.split_once(&format!("{}.csv ", cases[0])).expect(&told);
+        let damage = ["is damaged, and no fault", "is missing, and no fault"];
+        assert!(damage.iter().any(|damage| why.starts_with(damage)), "{told}");
+        assert!(!told.contains("lines, not"), "{told}");
+        let _ = fs::remove_file(history(&cases[0]));
+        fs::write(history(&cases[0]), &whole).unwrap();
+    }
+    let summary = fs::read(desk.out.join("summary.csv")).unwrap();
+    fs::remove_file(desk.out.join("summary.csv")).unwrap();
+    let told = ended(1, &["verify", &desk.dir, "--rerun", "1"]).out;
+    assert!(told.contains("run again: summary.csv: there is no such file"), "{told}");
+    fs::write(desk.out.join("summary.csv"), summary).unwrap();
+    fs::write(desk.out.join("report.html"), page).unwrap();
+    ended(0, &["verify", &desk.dir]);
+    fs::remove_file(desk.out.join("journal.jsonl")).unwrap();
+    let told = ended(2, &["film", &desk.dir, &cases[0]]).err;
+    assert!(told.contains("holds no journal.jsonl"), "{told}");
+}
+
 /// A report without the files that cannot be drawn, with their names, and whole again after the same command.
 #[test]
 fn a_report_leaves_out_what_is_damaged_and_names_it() {

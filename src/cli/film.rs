@@ -12,7 +12,7 @@ use super::{CASES_FAILED, INTERRUPTED, SUCCESS, options, stored};
 use crate::execute::{Interrupt, available_cores};
 use crate::film::{Colour, Filming, PageFilm};
 use crate::keys::named;
-use crate::results::{CaseRecord, Derived, finished, first_difference};
+use crate::results::{CaseRecord, Derived, damaged_files, finished, first_difference};
 use crate::simulation::{Resources, Stopped, run_case};
 use crate::study::{Case, Study};
 
@@ -156,7 +156,12 @@ impl Set<'_> {
             for path in self.files(case) {
                 let _ = std::fs::remove_file(path); // it may not have been written
             }
-            return Ok(Shot::Differs(reason));
+            // What the disk has changed is no fault of the run.
+            let damage = damaged_files(self.directory, case.id)?;
+            return Ok(Shot::Differs(match damage.is_empty() {
+                true => reason,
+                false => format!("{reason}: {}, and no fault of the run", damage.join(", ")),
+            }));
         }
         Ok(match written {
             Ok(()) => Shot::Filmed(path),

@@ -7,15 +7,15 @@ use std::path::Path;
 
 use csv::StringRecord;
 
-use super::ended::Ended;
+use super::ended::{Ended, EndedLine, Line};
 use super::error::SweepError;
-use super::filling::Filling;
+use super::filling::{self, Filling};
 use super::record::{CaseRecord, HeldLine};
 use super::{files, journal, summary};
-use crate::math::words::counted;
+use crate::math::words::{counted, in_words};
 use crate::quantities::summary::{CASE_ID, WALL_TIME};
 use crate::simulation::CaseResult;
-use crate::study::{Case, Study};
+use crate::study::{Case, CaseId, Study};
 
 /// The finished cases and companions of a study in a directory, in the order of [`Study::runs`].
 /// They are read from the journal alone, as far as tables and figures need them.
@@ -78,9 +78,17 @@ pub fn first_difference(
     let path = directory.join("summary.csv");
     let wrong = |error: csv::Error| SweepError::io(&path)(error.into());
     let new = summary::row(study, records, case, &record).map_err(wrong)?;
-    let old = File::open(&path).map_err(SweepError::io(&path))?;
     let id = case.id.to_string();
-    let old = row_of(BufReader::new(old), &id).map_err(wrong)?;
+    let unreadable = |error: std::io::Error| format!("summary.csv: {}", in_words(&error));
+    let damaged = |error: csv::Error| match error.is_io_error() {
+        true => unreadable(error.into()),
+        false => "summary.csv is damaged; `seawall report` makes it again".to_owned(),
+    };
+    let old = File::open(&path).map_err(unreadable);
+    let old = match old.and_then(|old| row_of(BufReader::new(old), &id).map_err(damaged)) {
+        Ok(old) => old,
+        Err(told) => return Ok(Some(told)),
+    };
     let difference = in_rows(old, row_of(&new[..], &id).map_err(wrong)?);
     if difference.is_some() {
         return Ok(difference);
@@ -94,14 +102,31 @@ pub fn first_difference(
         if !path.exists() && path != files::history_path(directory, case.id) {
             continue; // earlier versions left less
         }
-        let old = std::fs::read_to_string(&path).map_err(SweepError::io(&path))?;
         let name = files::name(folder);
-        let difference = in_lines(&old, &new, name);
+        let difference = match std::fs::read(&path) {
+            Ok(old) => in_lines(&String::from_utf8_lossy(&old), &new, name),
+            Err(error) => Some(format!("the {name} cannot be read: {}", in_words(&error))),
+        };
         if difference.is_some() {
             return Ok(difference);
         }
     }
     Ok(None)
+}
+
+/// The files of a case that have changed since they were written, by the journal's checksums, in
+/// words.
+///
+/// # Errors
+/// The journal cannot be read.
+pub fn damaged_files(directory: &Path, id: CaseId) -> Result<Vec<String>, SweepError> {
+    let mut damage = Vec::new();
+    journal::read_in_blocks(directory, |lines: Vec<EndedLine>| {
+        for line in lines.into_iter().filter(|line| line.ended().id == id) {
+            damage = files::damage(directory, id, &line.split(0).1);
+        }
+    })?;
+    Ok(damage.iter().map(filling::told).collect())
 }
 
 /// Column names and cells of a case.
@@ -136,8 +161,12 @@ fn in_lines(old: &str, new: &str, name: &str) -> Option<String> {
     let told = |(at, (old, new))| format!("line {} of the {name} is {old}, not {new}", at + 1);
     let first = pairs.filter(|(_, (old, new))| old != new).map(told).next();
     let [lines, now] = [old, new].map(|text| text.lines().count());
-    let lines = counted(lines, "line");
-    first.or_else(|| (old != new).then(|| format!("the {name} has {lines}, not {now}")))
+    first.or_else(|| {
+        (old != new).then(|| match lines == now {
+            true => format!("the {name} has other line ends"),
+            false => format!("the {name} has {}, not {now}", counted(lines, "line")),
+        })
+    })
 }
 
 #[cfg(test)]
@@ -174,11 +203,31 @@ mod tests {
             told(&planted)
         );
         assert_eq!(in_lines("a\n", "", "history").unwrap(), "the history has 1 line, not 0");
+        assert_eq!(in_lines("a\r\n", "a\n", "history").unwrap(), "the history has other line ends");
         let mut planted = result.clone();
         planted.energy.kinetic += 1.0;
         assert_eq!(told(&planted), "the journal has other energies");
         let mut planted = result.clone();
         planted.envelope[1].pressure_max_pa += 1.0;
         assert!(told(&planted).starts_with("line 3 of the envelope is "), "{}", told(&planted));
+        assert!(damaged_files(&path, case.id).unwrap().is_empty());
+        let history = files::history_path(&path, case.id);
+        let damage: [(&dyn Fn(), [&str; 2]); 3] = [
+            (&|| std::fs::write(&history, "time_s\r\n").unwrap(), ["line 1 of the", "is damaged"]),
+            (&|| std::fs::write(&history, b"\xff\n").unwrap(), ["line 1 of the", "is damaged"]),
+            (&|| std::fs::remove_file(&history).unwrap(), ["the history cannot be", "is missing"]),
+        ];
+        for (way, [difference, damage]) in damage {
+            way();
+            assert!(told(&result).starts_with(difference), "{}", told(&result));
+            let files = damaged_files(&path, case.id).unwrap();
+            assert!(files.len() == 1 && files[0].ends_with(damage), "{files:?}");
+        }
+        for text in [&b"\xff\xfe\n"[..], b""] {
+            std::fs::write(path.join("summary.csv"), text).unwrap();
+            assert!(told(&result).starts_with("summary.csv"), "{}", told(&result));
+        }
+        std::fs::remove_file(path.join("summary.csv")).unwrap();
+        assert!(told(&result).starts_with("summary.csv: there is no"), "{}", told(&result));
     }
 }

@@ -58,7 +58,7 @@ mod verify;
 mod waiting;
 mod wanted;
 
-pub use again::{finished, finished_whole, first_difference};
+pub use again::{damaged_files, finished, finished_whole, first_difference};
 pub use all_histories::{write_all_histories, write_sound_histories};
 pub use attempts::Attempts;
 pub use checkpoint::Checkpoint;
