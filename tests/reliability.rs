@@ -247,7 +247,7 @@ fn files(directory: &Path) -> Vec<PathBuf> {
     for path in fs::read_dir(directory).unwrap().map(|entry| entry.unwrap().path()) {
         if path.is_dir() {
             files.extend(self::files(&path));
-        } else if path.file_name().unwrap() != "lock" {
+        } else if !path.to_str().unwrap().ends_with("lock") {
             files.push(path);
         }
     }

@@ -6,6 +6,7 @@ use clap::Args;
 use serde_json::json;
 
 use super::failure::{BadInput, not_writable};
+use super::notices::hold_making;
 use super::output::{Output, json_path};
 use super::picked_case::the_case;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS, options, stored};
@@ -40,6 +41,7 @@ pub(super) fn main(args: &FilmArgs, output: &Output) -> anyhow::Result<u8> {
     let (study, simd) = stored::study(&args.dir)?;
     stored::demand_summary(&args.dir)?;
     let case = the_case(&study, &args.case)?;
+    let _making = hold_making(&args.dir, output);
     let set = Set {
         study: &study,
         records: &finished(&args.dir, &study)?,

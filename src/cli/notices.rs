@@ -1,12 +1,22 @@
 //! Messages on opening and starting a study.
 
+use std::path::Path;
+
 use super::job::Job;
 use super::output::Output;
 use crate::execute::{Crew, Tally};
 use crate::keys::named;
 use crate::math::name::name_of;
 use crate::math::words::counted;
-use crate::results::{Directory, Opened, RankInfo};
+use crate::results::{Directory, Making, Opened, RankInfo};
+
+/// Waits for other processes that make page, figures, tables or films of a directory.
+pub(super) fn hold_making(directory: &Path, output: &Output) -> Making {
+    Making::hold(directory, || {
+        let out = named(directory);
+        output.note(format_args!("{out}: waiting for another process that makes page or films"));
+    })
+}
 
 /// How many cases and companions there are, and how many of them are done.
 pub(super) fn tallies(directory: &Directory, cases: usize) -> [Tally; 2] {

@@ -7,6 +7,7 @@ use serde_json::json;
 
 use super::failure::not_writable;
 use super::input::{JOURNAL, SUMMARY, demand_output_of_study};
+use super::notices::hold_making;
 use super::options::{FigureFormat, for_print};
 use super::output::{Output, json_path, json_paths};
 use super::{CASES_FAILED, SUCCESS, stored};
@@ -42,6 +43,7 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
     let from = if args.dir.join(JOURNAL).is_file() { JOURNAL } else { SUMMARY };
     demand_output_of_study(&args.dir, from)?;
     let formats = for_print(&args.figures)?;
+    let _making = hold_making(&args.dir, output);
     let closing = Closing::read(&args.dir);
     let damaged = if closing.is_none() { renew(args, output)? } else { Vec::new() };
     demand_output_of_study(&args.dir, SUMMARY)?;

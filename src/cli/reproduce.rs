@@ -13,6 +13,7 @@ use super::failure::BadInput;
 use super::input::Setting;
 use super::job::Job;
 use super::made_figure::told;
+use super::notices::hold_making;
 use super::options::EVERY_S;
 use super::options::{FigureFormat, for_print};
 use super::output::{Output, duration, json_paths};
@@ -109,6 +110,7 @@ pub(super) fn main(args: &ReproduceArgs, output: &Output) -> anyhow::Result<u8> 
             return Ok(INTERRUPTED);
         }
         code = code.max(done.exit_code());
+        let _making = hold_making(&job.out, output);
         Derived::begin(&job.out, MADE_BY_SWEEPS)?;
         let written = crate::report::write(&job.out)?;
         Derived::end(&job.out, &written.made, true)?;

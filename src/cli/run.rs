@@ -12,6 +12,7 @@ use super::execute::on_threads;
 use super::film;
 use super::input::{Setting, SimdChoice, default_out, scene};
 use super::job::{Done, Job};
+use super::notices::hold_making;
 use super::options::KeepArgs;
 use super::output::{Output, duration};
 use super::{cost, options, warnings};
@@ -109,6 +110,7 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
     done.directory.left().demand(done.directory.path())?;
     if done.wall_time_s.is_some() && done.ending == Ending::Finished {
         let filmed = [args.vtk.map(|_| "vtk"), args.film.map(|_| "films")];
+        let _making = hold_making(done.directory.path(), output);
         let seal = |folder| Derived::renew_folder(done.directory.path(), folder);
         filmed.into_iter().flatten().try_for_each(seal)?;
     }
@@ -147,6 +149,7 @@ fn film_of(
     let resources = Resources { simd: done.directory.simd(), threads: film::threads(args.threads) };
     let (directory, colour) = (done.directory.path(), page.colour);
     let (records, interrupt) = (done.directory.records(), &Interrupt::listen()?);
+    let _making = hold_making(directory, output);
     let set = film::Set { study, records, directory, colour, resources, interrupt };
     let shot = set.shoot(case)?;
     shot.tell(case, output);

@@ -65,6 +65,8 @@ pub(super) struct Standing {
     companions_done: usize,
     /// Whether films and page are still to be made.
     owed: bool,
+    /// Whether a report ended before it had made page, figures and tables.
+    cut: bool,
     pub(super) running: bool,
     to_go_s: Option<f64>,
     failures: Vec<FailedCases>,
@@ -120,6 +122,7 @@ impl Standing {
             companions,
             companions_done,
             owed: Derived::is_owed(directory),
+            cut: Derived::is_cut(directory),
             running,
             to_go_s: session.and_then(of_session),
             failures: FailedCases::of(&failed),
@@ -141,7 +144,7 @@ impl Standing {
 
     /// Whether nothing is left, neither companions nor films and page.
     pub(super) fn is_whole(&self) -> bool {
-        self.left() + self.companions_left() == 0 && !self.owed
+        self.left() + self.companions_left() == 0 && !self.owed && !self.cut
     }
 
     /// The words for people.
@@ -149,6 +152,7 @@ impl Standing {
         let state = match self.left() + self.companions_left() {
             _ if self.running => "running",
             0 if self.owed => "stopped after its cases; the same command makes films and page",
+            0 if self.cut => "finished but for its page; `seawall report` makes it again",
             0 => "finished",
             _ => "stopped; the same command goes on",
         };
@@ -196,7 +200,7 @@ impl Standing {
             "left": self.left(),
             "companions": self.companions,
             "companions_left": self.companions_left(),
-            "films_and_page_left": self.owed,
+            "films_and_page_left": self.owed || self.cut,
             "running": self.running,
             "time_to_go_s": self.to_go_s,
             "simd": self.header.simd,

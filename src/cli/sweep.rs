@@ -18,7 +18,7 @@ use super::job::{Done, Job};
 use super::options::{EndingArgs, KeepArgs};
 use super::output::{Output, json_paths};
 use super::overview::told;
-use super::{INTERRUPTED, SUCCESS, check, films, max_error, options, warnings};
+use super::{INTERRUPTED, SUCCESS, check, films, max_error, notices, options, warnings};
 use crate::execute::{Crew, Ending, Interrupt, Keeping, Launcher, Setup, SphRunner, mpi, threads};
 use crate::keys::named;
 use crate::math::words::counted;
@@ -172,6 +172,7 @@ fn lead(
         tell_interrupted(&job, &done, crew, output);
         return Ok(done.exit_code());
     }
+    let _making = notices::hold_making(done.directory.path(), output);
     Derived::owe(done.directory.path())?;
     let (filming, film_time_s) =
         films::make(&args.film, &places, &job.study, &done, args.threads, interrupt, output)?;

@@ -35,8 +35,10 @@ mod spoken;
 pub mod study;
 pub mod tables;
 mod variant;
+mod whole;
 
 use std::fs;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 pub use error::ReportError;
@@ -196,7 +198,7 @@ fn make(directory: &Path) -> Result<(), ReportError> {
 }
 
 fn save(path: &Path, content: &(impl AsRef<[u8]> + ?Sized)) -> Result<(), ReportError> {
-    fs::write(path, content).map_err(|error| ReportError::Write { path: path.to_owned(), error })
+    whole::write(path, |mut file, wrong| file.write_all(content.as_ref()).map_err(wrong))
 }
 
 #[cfg(test)]

@@ -14,7 +14,7 @@ use std::time::UNIX_EPOCH;
 use serde::{Deserialize, Serialize};
 
 use super::error::SweepError;
-use super::{lock, sealed};
+use super::{lock, making, sealed};
 
 const FILE_NAME: &str = "closing.json";
 
@@ -61,13 +61,13 @@ impl Closing {
     }
 }
 
-/// The files of a directory, without this file and the lock.
+/// The files of a directory, without this file and the locks.
 fn look(directory: &Path) -> std::io::Result<BTreeMap<String, (u64, u64)>> {
     let mut found = BTreeMap::new();
     for entry in fs::read_dir(directory)? {
         let entry = entry?;
         let name = entry.file_name().to_string_lossy().into_owned();
-        if name == FILE_NAME || name == lock::FILE_NAME {
+        if [FILE_NAME, lock::FILE_NAME, making::FILE_NAME].contains(&&*name) {
             continue;
         }
         let entry = fs::metadata(entry.path())?;
@@ -100,7 +100,9 @@ mod tests {
         fs::write(directory.join("journal.jsonl"), "line\n").unwrap();
         assert_eq!(Closing::read(directory), None);
         close();
-        fs::write(directory.join(lock::FILE_NAME), "").unwrap();
+        for lock in [lock::FILE_NAME, making::FILE_NAME] {
+            fs::write(directory.join(lock), "").unwrap();
+        }
         assert!(Closing::read(directory).is_some());
         let changes: [&dyn Fn(); 6] = [
             &|| fs::write(directory.join("journal.jsonl"), "enil\n").unwrap(),

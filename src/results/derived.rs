@@ -2,8 +2,9 @@
 //!
 //! Journal, manifest and the files of cases have sums of their own, and `summary.csv` and
 //! `energy.csv` are compared with the journal. This file is for the rest: page, figures, tables,
-//! films, files for ParaView. Before they are made again, their seals are removed. So a process
-//! that dies meanwhile leaves no false seals.
+//! films, files for ParaView. Before they are made again, their seals are removed, and it is noted
+//! that they are not finished. So a process that dies meanwhile leaves no false seals, and it shows.
+//! Whoever calls [`Derived::begin`], [`Derived::owe`] or [`Derived::renew`] holds [`Making`].
 
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
@@ -16,12 +17,15 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use super::error::SweepError;
+use super::making::Making;
 use super::seal::Seal;
-use super::{disk, sealed};
+use super::{atomic_file, disk, sealed};
 
 const FILE_NAME: &str = "derived.json";
 const FILES: [&str; 3] = ["histories.csv.gz", "max_error.csv", "report.html"];
 const FOLDERS: [&str; 4] = ["figures", "tables", "films", "vtk"];
+/// Those of a report.
+const REPORTED: [&str; 2] = ["figures", "tables"];
 /// Files that only a running case makes: starts of paths.
 const MADE_BY_RUNS: &[&str] = &["films/", "vtk/"];
 /// Files that a report alone does not make again.
@@ -37,6 +41,9 @@ pub struct Derived {
     /// Whether a sweep has run its cases, but has not yet made the files that come after them.
     #[serde(default, skip_serializing_if = "Not::not")]
     owed: bool,
+    /// Whether a report or sweep has begun to make page, figures and tables, and has not ended.
+    #[serde(default, skip_serializing_if = "Not::not")]
+    begun: bool,
 }
 
 impl Derived {
@@ -49,12 +56,12 @@ impl Derived {
         sealed::write(&directory.join(FILE_NAME), self)
     }
 
-    /// All files are about to be made again, except those that are kept with their seals.
+    /// A report is about to make all files again, except those that are kept with their seals. They
+    /// are not finished until [`end`](Derived::end).
     pub fn begin(directory: &Path, kept: &[&str]) -> Result<(), SweepError> {
-        if !directory.join(FILE_NAME).exists() {
-            return Ok(());
-        }
-        Derived::begun(directory, kept).write(directory)
+        Derived { begun: true, ..Derived::begun(directory, kept) }.write(directory)?;
+        // What a killed process has left half-written.
+        atomic_file::clean(&REPORTED.map(|folder| directory.join(folder)))
     }
 
     fn begun(directory: &Path, kept: &[&str]) -> Derived {
@@ -66,12 +73,20 @@ impl Derived {
     /// The same for a sweep that has run its cases. It must still make all these files, until
     /// [`end`](Derived::end).
     pub fn owe(directory: &Path) -> Result<(), SweepError> {
-        Derived { owed: true, ..Derived::begun(directory, MADE_BY_RUNS) }.write(directory)
+        Derived { owed: true, begun: true, ..Derived::begun(directory, MADE_BY_RUNS) }
+            .write(directory)?;
+        atomic_file::clean(&REPORTED.map(|folder| directory.join(folder)))
     }
 
     /// Whether a sweep ended before it had made the files that come after its cases.
     pub fn is_owed(directory: &Path) -> bool {
         Derived::read(directory).owed
+    }
+
+    /// Whether a report ended before it had made all of its files. One that is still at work does
+    /// not count.
+    pub fn is_cut(directory: &Path) -> bool {
+        Derived::read(directory).begun && !Making::is_held(directory)
     }
 
     /// All files are made, with these figures and tables; `all` is whether a sweep has nothing left
@@ -80,6 +95,7 @@ impl Derived {
     pub fn end(directory: &Path, reported: &[String], all: bool) -> Result<(), SweepError> {
         let mut derived = Derived::read(directory);
         derived.owed &= !all;
+        derived.begun = false;
         let before = mem::replace(&mut derived.reported, reported.iter().cloned().collect());
         for name in names(directory) {
             let path = directory.join(&name);
@@ -144,12 +160,16 @@ pub(super) fn damage(directory: &Path) -> Vec<String> {
             "{FILE_NAME} {what}: nothing tells what page, figures, tables and films were; `seawall report` makes it again"
         )];
     }
-    let files = Derived::read(directory).files.into_iter();
-    let told = files.filter_map(|(name, seal)| {
-        seal.damage(&directory.join(&name)).map(|what| format!("{name} {what}"))
+    let derived = Derived::read(directory);
+    let told = derived.files.iter().filter_map(|(name, seal)| {
+        seal.damage(&directory.join(name)).map(|what| format!("{name} {what}"))
     });
-    told.collect()
+    // What is being made may be unfinished.
+    let is_cut = derived.begun && !Making::is_held(directory);
+    told.chain(is_cut.then(|| CUT.to_owned())).collect()
 }
+
+const CUT: &str = "page, figures and tables were not finished: `seawall report` makes them again";
 
 /// The derived files that exist.
 fn names(directory: &Path) -> Vec<String> {

@@ -17,7 +17,7 @@ use super::opening::{self, Found, OpenMode, Opened, look};
 use super::record::CaseRecord;
 use super::stamp::CaseFiles;
 use super::waiting::Waiting;
-use super::{again, checkpoints, disk, energy, files, probe_columns, summary};
+use super::{again, checkpoints, disk, files, probe_columns, tables};
 use crate::math::simd::SimdPath;
 use crate::simulation::CaseResult;
 use crate::study::{CaseId, Study};
@@ -240,9 +240,7 @@ impl Directory {
     pub fn write_tables(&mut self, study: &Study) -> Result<(), SweepError> {
         self.demand_in_place()?;
         self.records = again::finished_of(&self.path, study, &self.runs)?;
-        summary::write(&self.path, study, &self.records)?;
-        energy::write(&self.path, self.case_records())?;
-        probe_columns::write(&self.path, study, self.case_records())
+        tables::write(&self.path, study, &self.records)
     }
 }
 

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::case_tables::{envelope_table, history, probe_table, reading_table, wave_table};
 use super::error::SweepError;
+use super::making::Making;
 use super::seal::{Seal, Seals};
 use super::{atomic_file, disk};
 use crate::simulation::CaseResult;
@@ -87,8 +88,11 @@ pub(super) fn any(directory: &Path) -> bool {
 
 /// Removes half-written files of a killed process.
 pub(super) fn clean(directory: &Path) -> Result<(), SweepError> {
+    // Those beside the journal may be of a report that is at work.
+    let alone = (!Making::is_held(directory)).then(|| Making::hold(directory, || {}));
+    let own = alone.iter().map(|_| directory.to_owned());
     let folders = FOLDERS.iter().map(|name| directory.join(name));
-    atomic_file::clean(&std::iter::once(directory.to_owned()).chain(folders).collect::<Vec<_>>())
+    atomic_file::clean(&own.chain(folders).collect::<Vec<_>>())
 }
 
 /// The path of a case's history.

@@ -72,7 +72,8 @@ impl Lock {
     /// Whether a process works in a directory.
     pub fn is_held(directory: &Path) -> bool {
         let both = [File::open(directory), File::open(directory.join(FILE_NAME))];
-        both.iter().flatten().any(|file| is_taken(&file.try_lock()))
+        // A shared lock: two that look at once do not see each other.
+        both.iter().flatten().any(|file| is_taken(&file.try_lock_shared()))
     }
 }
 

@@ -6,6 +6,7 @@ use std::path::Path;
 
 use super::earlier::Earlier;
 use super::error::SweepError;
+use super::making::Making;
 use super::manifest::Manifest;
 use super::record::CaseRecord;
 use super::{energy, probe_columns, summary};
@@ -17,6 +18,19 @@ pub(super) enum Table {
     Summary,
     Energy,
     ProbeColumns,
+}
+
+/// Makes all tables of a sweep. A report may be about to make the same ones.
+pub(super) fn write(
+    directory: &Path,
+    study: &Study,
+    records: &[Option<CaseRecord>],
+) -> Result<(), SweepError> {
+    let _making = Making::hold(directory, || {});
+    let cases = &records[..study.cases.len().min(records.len())];
+    summary::write(directory, study, records)?;
+    energy::write(directory, cases)?;
+    probe_columns::write(directory, study, cases)
 }
 
 /// Makes the tables again that differ from the journal; returns their names. If the journal lacks

@@ -21,6 +21,8 @@ mod cli_find;
 mod cli_input;
 #[path = "../cli_loads.rs"]
 mod cli_loads;
+#[path = "../cli_making.rs"]
+mod cli_making;
 #[path = "../cli_matrix.rs"]
 mod cli_matrix;
 #[path = "../cli_messages.rs"]

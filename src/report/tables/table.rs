@@ -5,6 +5,7 @@ use std::path::Path;
 
 use crate::math::comma::csv;
 use crate::report::error::ReportError;
+use crate::report::whole;
 
 /// A table, ready for a file or a page.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -80,8 +81,15 @@ impl<'a> Lines<'a> {
 
     /// Writes the table as comma-separated text, and keeps its first rows.
     pub fn write(self, path: &Path, most: usize) -> Result<Table, ReportError> {
-        let wrong = |error| ReportError::Write { path: path.to_owned(), error };
-        let file = File::create(path).map_err(wrong)?;
+        whole::write(path, |file, wrong| self.fill(file, most, wrong))
+    }
+
+    fn fill(
+        self,
+        file: &File,
+        most: usize,
+        wrong: &dyn Fn(std::io::Error) -> ReportError,
+    ) -> Result<Table, ReportError> {
         let mut writer = csv::WriterBuilder::new().buffer_capacity(1 << 16).from_writer(file);
         let mut table = self.head;
         let broken = |error: csv::Error| wrong(error.into());

@@ -12,7 +12,6 @@ fn what_changed_since_it_was_made_is_told() {
     let names = ["report.html", "figures/a.svg", "films/a.html", "tables/a.csv", "vtk/a/b.vtu"];
     names.iter().for_each(|name| write(name, "old"));
     assert!(damage(directory)[0].starts_with("derived.json is missing: nothing tells what page"));
-    Derived::begin(directory, MADE_BY_RUNS).unwrap();
     Derived::renew(directory, &[directory.join("films/b.html")]).unwrap();
     assert!(!directory.join(FILE_NAME).exists());
     Derived::renew(directory, std::slice::from_ref(&film)).unwrap();
@@ -77,6 +76,28 @@ fn a_sweep_owes_until_all_is_made() {
     assert!(Derived::is_owed(directory), "a report alone makes no films");
     Derived::end(directory, &[], true).unwrap();
     assert!(!Derived::is_owed(directory));
+}
+
+/// The story: a report dropped the seals and was killed. Then nothing told that a figure was cut.
+#[test]
+fn a_report_that_does_not_end_leaves_a_note() {
+    let root = tempfile::tempdir().unwrap();
+    let directory = root.path();
+    fs::create_dir(directory.join("figures")).unwrap();
+    let cut = directory.join("figures/a.svg.partial");
+    fs::write(&cut, "<svg").unwrap();
+    assert!(!Derived::is_cut(directory));
+    Derived::begin(directory, MADE_BY_SWEEPS).unwrap();
+    assert!(Derived::is_cut(directory) && !Derived::is_owed(directory));
+    assert_eq!(damage(directory), [CUT]);
+    assert!(!cut.exists(), "a killed process has left it");
+    let making = Making::hold(directory, || {});
+    assert!(!Derived::is_cut(directory) && damage(directory).is_empty(), "it is still at work");
+    drop(making);
+    Derived::end(directory, &[], false).unwrap();
+    assert!(!Derived::is_cut(directory) && damage(directory).is_empty());
+    Derived::owe(directory).unwrap();
+    assert_eq!(damage(directory), [CUT]);
 }
 
 /// A continued study may no longer have a figure. The old one once stayed and was sealed as new.

@@ -1,0 +1,105 @@
+//! Page, figures, tables and films: several processes that make them at once, and one that does not come to its end.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+
+use crate::common::{Desk, TINY, column, ended, run, seawall, sweep};
+
+fn started(arguments: &[&str]) -> Child {
+    seawall().args(arguments).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap()
+}
+
+/// All must end well.
+fn joined(children: Vec<Child>) {
+    for child in children {
+        let output = child.wait_with_output().unwrap();
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    }
+}
+
+/// The story: of two reports at once one ended with 70, as the other had renamed its file, or seals were taken of files
+/// that were half-written.
+#[test]
+fn reports_and_films_at_once_neither_fail_nor_seal_what_is_half_written() {
+    let desk = Desk::new(TINY);
+    sweep(0, &desk.file, &desk.out, &[]);
+    let cases = column(&desk.out, "case_id");
+    for _ in 0..4 {
+        let reports = (0..3).map(|_| started(&["report", &desk.dir]));
+        let films = cases[..2].iter().map(|case| started(&["film", &desk.dir, case]));
+        joined(reports.chain(films).collect());
+        ended(0, &["verify", &desk.dir]);
+        fs::remove_file(desk.out.join("derived.json")).unwrap();
+    }
+}
+
+/// The story: the sweep itself ended with 70 when it came to its page.
+#[test]
+fn a_sweep_makes_its_page_among_reports() {
+    let desk = Desk::new(TINY);
+    sweep(0, &desk.file, &desk.out, &[]);
+    for _ in 0..3 {
+        fs::remove_file(desk.out.join("derived.json")).unwrap();
+        fs::remove_file(desk.out.join("summary.csv")).unwrap();
+        let mut child = started(&["sweep", &desk.file, "--out", &desk.dir, "--film", "auto"]);
+        let mut reports = 0;
+        while child.try_wait().unwrap().is_none() {
+            let report = run(&["report", &desk.dir]);
+            // Before the summary is there, there is nothing to report.
+            let told = String::from_utf8_lossy(&report.stderr).into_owned();
+            assert!(report.status.success() || told.contains("no summary.csv"), "{told}");
+            reports += 1;
+        }
+        joined(vec![child]);
+        assert!(reports > 1);
+        ended(0, &["verify", &desk.dir]);
+        fs::remove_dir_all(desk.out.join("films")).unwrap();
+    }
+}
+
+fn is_whole(folder: &Path) -> bool {
+    let files = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let svgs = files.filter(|path| path.extension().is_some_and(|ending| ending == "svg"));
+    let texts: Vec<_> = svgs.map(|path| fs::read_to_string(path).unwrap()).collect();
+    !texts.is_empty() && texts.iter().all(|text| text.trim_end().ends_with("</svg>"))
+}
+
+/// The story: a report ended on a full disk and left half a figure. Then `verify` and `status` called all well.
+#[test]
+fn a_report_that_does_not_end_is_told_until_one_does() {
+    let desk = Desk::new(TINY);
+    sweep(0, &desk.file, &desk.out, &[]);
+    let full = || {
+        let script = "ulimit -f 40; exec \"$0\" report \"$1\"";
+        let program = seawall().get_program().to_owned();
+        let mut shell = Command::new("bash");
+        shell.args(["-c", script]).arg(program).arg(&desk.dir).output().unwrap()
+    };
+    let figure = desk.out.join("figures/response-force.svg");
+    let in_the_way = || {
+        fs::remove_file(&figure).unwrap();
+        fs::create_dir(&figure).unwrap();
+        let output = run(&["report", &desk.dir]);
+        fs::remove_dir(&figure).unwrap();
+        output
+    };
+    let ways: [(&dyn Fn() -> std::process::Output, i32); 2] = [(&full, 70), (&in_the_way, 2)];
+    for (way, code) in ways {
+        assert_eq!(way().status.code(), Some(code));
+        assert!(is_whole(&desk.out.join("figures")));
+        let told = ended(1, &["verify", &desk.dir]).out;
+        assert!(
+            told.contains("page, figures and tables were not finished: `seawall report`"),
+            "{told}"
+        );
+        let told = ended(3, &["status", &desk.dir, "--exit-code"]).out;
+        assert!(
+            told.contains("finished but for its page; `seawall report` makes it again"),
+            "{told}"
+        );
+        ended(0, &["report", &desk.dir]);
+        ended(0, &["verify", &desk.dir]);
+        ended(0, &["status", &desk.dir, "--exit-code"]);
+    }
+}
