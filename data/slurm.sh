@@ -15,6 +15,8 @@ set -u
 seawall={SEAWALL}
 study={FILE}
 out={OUT}
+# What the study names by a relative path, such as a recorded stroke, is sought from here.
+cd {FOLDER} || exit 70
 
 # Slurm sends USR1 to this script {GRACE} s before the limit. Passed on, it makes seawall stop: what has
 # finished is on the disk, and long cases leave checkpoints.
@@ -34,9 +36,9 @@ export PRTE_MCA_oob_tcp_keepalive_time="${PRTE_MCA_oob_tcp_keepalive_time-5}"
 export PRTE_MCA_oob_tcp_keepalive_intvl="${PRTE_MCA_oob_tcp_keepalive_intvl-2}"
 export PRTE_MCA_oob_tcp_keepalive_probes="${PRTE_MCA_oob_tcp_keepalive_probes-3}"
 
-# Changes whenever a case, or a checkpoint of one, is done.
+# Changes whenever a case, a checkpoint of one or a new film is done.
 progress() {
-  { cd "$out" && cat journal.jsonl && ls -l --full-time checkpoints; } 2>/dev/null | cksum
+  { cd "$out" && cat journal.jsonl && { ls -l --full-time checkpoints; ls films; }; } 2>/dev/null | cksum
 }
 
 before=$(progress)

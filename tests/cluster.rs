@@ -42,6 +42,60 @@ fn queued(root: &Path) -> String {
     fs::read_to_string(root.join("queued")).unwrap_or_default()
 }
 
+/// A stand-in for `srun` that runs this script in place of the study.
+fn stand_in(root: &Path, script: &str) -> String {
+    let path = root.join("stand-in");
+    fs::write(&path, format!("#!/bin/bash\n{script}\n")).unwrap();
+    fs::set_permissions(&path, fs::Permissions::from_mode(0o755)).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+/// The story: the stroke of a paddle was sought where the job had been put into the queue.
+#[test]
+fn a_job_runs_where_its_script_was_made() {
+    let desk = Desk::new(
+        &TINY
+            .replace(
+                "[numerics]",
+                "paddle = \"recorded-stroke\"\nend_time_s = 0.1\n\
+        recorded_stroke = \"a stroke.csv\"\n[numerics]",
+            )
+            .replace("end_after_stroke_centre_s = 0.8\n", "")
+            .replace("wave_height_ratio = [0.4, 0.5]\n", ""),
+    );
+    let folder = desk.path().join("it's here");
+    fs::create_dir(&folder).unwrap();
+    fs::write(folder.join("a stroke.csv"), "time_s,stroke_m\n0,0\n0.5,0.01\n1,0.02\n").unwrap();
+    let words = ["slurm", &desk.file, "--nodes", "1", "--time", "30", "--out", &desk.dir];
+    let made = seawall().args(words).args(["--launcher", "env"]).current_dir(&folder).output();
+    let text = common::Told::of(made.unwrap(), 0).out;
+    let path = desk.path().join("job.sh");
+    fs::write(&path, text).unwrap();
+    expect_code(&job(desk.path(), &path).current_dir("/").output().unwrap(), 0);
+    assert_eq!(journal_lines(&desk.out), 5);
+}
+
+/// The story: cases were done and films were left. The job died after one, and was not put back into the queue.
+#[test]
+fn a_new_film_is_progress() {
+    let desk = Desk::new(TINY);
+    let root = desk.path();
+    ended(0, &["sweep", &desk.file, "--out", &desk.dir, "--film", "none"]);
+    // A sweep that does not come to its end owes films and page.
+    let page = desk.out.join("report.html");
+    fs::remove_file(&page).unwrap();
+    fs::create_dir(&page).unwrap();
+    ended(2, &["sweep", &desk.file, "--out", &desk.dir, "--film", "none"]);
+    fs::remove_dir(&page).unwrap();
+    expect_code(&run(&["status", &desk.dir, "--exit-code"]), 3);
+    for (does, again) in [("true", false), ("mkdir -p films && touch films/a.html", true)] {
+        let launcher = stand_in(root, &format!("cd '{}' && {does}; kill -9 $$", desk.dir));
+        let script = script(root, &desk.file, &desk.out, &launcher);
+        job(root, &script).output().unwrap();
+        assert_eq!(!queued(root).is_empty(), again, "{does}");
+    }
+}
+
 #[test]
 fn a_job_script_says_what_was_asked_for() {
     let desk = Desk::new(TINY);

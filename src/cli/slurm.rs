@@ -132,6 +132,7 @@ pub(super) fn main(args: &SlurmArgs, output: &Output) -> anyhow::Result<u8> {
         ("{SEAWALL}", absolute(&std::env::current_exe()?)?),
         ("{FILE}", absolute(&args.file)?),
         ("{OUT}", absolute(&out)?),
+        ("{FOLDER}", absolute(&std::env::current_dir()?)?),
         ("{LAUNCH}", launch),
         ("{MORE}", more),
     ];
