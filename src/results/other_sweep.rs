@@ -6,8 +6,8 @@ use std::path::Path;
 use toml::{Table, Value};
 
 use super::manifest::Manifest;
-use crate::keys::brief;
-use crate::study::{PHYSICS_VERSION, Study};
+use crate::keys::{brief, number};
+use crate::study::{GridAxis, PHYSICS_VERSION, Study};
 
 /// The first difference in words: the physics version, a key of the two files, or a setting of the
 /// command line there. `None` if none of these differs.
@@ -24,19 +24,40 @@ pub(super) fn difference(directory: &Path, study: &Study) -> Option<String> {
         [Ok(before), Ok(here)] => first("", before, here),
         _ => None,
     };
-    // Settings that are in no file.
+    // What is in no file: the aim, and other settings.
+    let told = |aim: Option<f64>| {
+        aim.map_or("without --max-error".to_owned(), |aim| format!("with --max-error {aim}"))
+    };
+    let [then, now] = [there.max_error_percent, study.max_error_percent].map(told);
+    let aim = (then != now).then(|| format!("it was made {then}, this one {now}"));
     let sets: Vec<_> = there.overrides.iter().map(|set| format!("--set {}", brief(set))).collect();
     let set = (!sets.is_empty()).then(|| format!("it was made with {}", sets.join(" ")));
-    in_files.or(set)
+    in_files.or(aim).or(set)
 }
 
 /// Keys that are not part of a study's identity.
 const FREE: [&str; 4] = ["name", "limits", "accuracy", "numerics.error_bars"];
 
-/// Whether two values are equal: 1 is 1.0.
-fn same([one, other]: [Option<&Value>; 2]) -> bool {
-    let number = |value: Option<&Value>| crate::keys::number(value?);
-    one == other || number(one).is_some_and(|value| number(other) == Some(value))
+/// Whether two values are equal: 1 is 1.0. But 0 and -0 make other cases.
+fn same(one: &Value, other: &Value) -> bool {
+    match (number(one), number(other), one, other) {
+        (Some(one), Some(other), ..) => {
+            one == other && one.is_sign_negative() == other.is_sign_negative()
+        }
+        (_, _, Value::Array(one), Value::Array(other)) => {
+            one.len() == other.len() && one.iter().zip(other).all(|(one, other)| same(one, other))
+        }
+        (_, _, Value::Table(_), Value::Table(_)) => one.to_string() == other.to_string(),
+        _ => one == other,
+    }
+}
+
+/// Whether an axis of two grids has the same values, be it as a list or as a range.
+fn same_axis(key: &str, values: [&Value; 2]) -> bool {
+    match values.map(|value| GridAxis::read(key, value, false)) {
+        [Ok(one), Ok(other)] => same(&one.values.into(), &other.values.into()),
+        _ => false,
+    }
 }
 
 /// The first key at which two tables differ.
@@ -51,7 +72,9 @@ fn first(section: &str, there: &Table, here: &Table) -> Option<String> {
             value.map_or(Some(empty.clone()), |value| value.as_table().cloned())
         };
         let both = [there.get(key), here.get(key)];
-        if same(both) {
+        if let [Some(one), Some(other)] = both
+            && (same(one, other) || section == "grid" && same_axis(key, [one, other]))
+        {
             return None;
         }
         if let [Some(there), Some(here)] = both.map(table) {
@@ -70,6 +93,7 @@ fn first(section: &str, there: &Table, here: &Table) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::trial;
     use super::*;
 
     fn told(there: &str, here: &str) -> Option<String> {
@@ -92,10 +116,37 @@ mod tests {
         let more = file.replace("0.4]", "0.4, 0.5]");
         let wanted = "grid.wave_height_ratio is [0.3, 0.4] there and [0.3, 0.4, 0.5] here";
         assert_eq!(told(file, &more).unwrap(), wanted);
+        // The story: the same grid, written another way, was told in place of what differs.
+        let grids =
+            ["[0.2, 0.3, 0.4]", "[0.20, 3e-1, 4.0e-1]", "{ from = 0.2, to = 0.4, points = 3 }"];
+        let [list, other, range] = grids.map(|grid| format!("[grid]\nwave_height_ratio = {grid}"));
+        assert_eq!(
+            (told(&list, &other), told("[grid]\na = [0, 1]", "[grid]\na = [0.0, 1.0]")),
+            (None, None)
+        );
+        let linear = range.replace("points = 3", "points = 3, spacing = \"linear\"");
+        assert_eq!(told(&range, &linear), None);
+        assert_eq!(
+            told("[grid]\na = [1, 2]", "[grid]\na = { from = 1, to = 2, points = 2 }"),
+            None
+        );
+        let wanted = "grid.a is [-0.0, 0.2] there and [0.0, 0.2] here";
+        assert_eq!(told("[grid]\na = [-0.0, 0.2]", "[grid]\na = [0.0, 0.2]").unwrap(), wanted);
         let longer = file.replace("[grid]", "end_time_s = 3\n[grid]");
         assert_eq!(told(file, &longer).unwrap(), "scene.end_time_s is not given there and 3 here");
         let finer = format!("{file}\n[numerics]\nparticle_spacing_m = 0.01");
         let wanted = "numerics.particle_spacing_m is 0.01 there and not given here";
         assert_eq!(told(&finer, file).unwrap(), wanted);
+    }
+
+    #[test]
+    fn an_aim_that_is_in_no_file_is_told() {
+        let root = tempfile::tempdir().unwrap();
+        let study = trial::study("0.2, 0.3");
+        let there = Study { max_error_percent: Some(5.0), ..study.clone() };
+        Manifest::new(root.path(), &there, &[], trial::SIMD).write(root.path()).unwrap();
+        let told = difference(root.path(), &study).unwrap();
+        assert_eq!(told, "it was made with --max-error 5, this one without --max-error");
+        assert_eq!(difference(root.path(), &there), None);
     }
 }
