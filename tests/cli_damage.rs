@@ -335,3 +335,21 @@ fn a_report_makes_the_summary_again() {
         assert!(ended(2, words).err.contains("summary.csv; `seawall sweep` or `run` of"));
     }
 }
+
+/// The story: what a parser of tables says of it was all that was told.
+#[test]
+fn a_damaged_summary_is_told_with_what_mends_it() {
+    let desk = Desk::new(TINY);
+    sweep(0, &desk.file, &desk.out, &[]);
+    let summary = desk.out.join("summary.csv");
+    let text = fs::read_to_string(&summary).unwrap();
+    for damaged in [String::new(), text.replacen(",ok,", ",ok,\"", 1), text.replace(",0.4,", ",x,")]
+    {
+        fs::write(&summary, damaged).unwrap();
+        let told = ended(2, &["find", &desk.dir, "force_max < 2"]).err;
+        let remedy = format!("is damaged; `seawall report {}` makes it again\n", desk.dir);
+        assert!(told.ends_with(&remedy), "{told}");
+    }
+    ended(0, &["report", &desk.dir]);
+    assert_eq!(fs::read_to_string(&summary).unwrap(), text);
+}

@@ -103,3 +103,18 @@ fn a_report_that_does_not_end_is_told_until_one_does() {
         ended(0, &["status", &desk.dir, "--exit-code"]);
     }
 }
+
+/// Looks one after another were objects over many lines, which no reader takes apart.
+#[test]
+fn each_look_is_one_line_for_a_program() {
+    let desk = Desk::new(TINY);
+    sweep(0, &desk.file, &desk.out, &[]);
+    let told = ended(0, &["status", &desk.dir, "--watch", "1", "--format", "json"]);
+    assert_eq!((told.out.lines().count(), &told.json()["done"]), (1, &serde_json::json!(8)));
+    for words in [&["--format", "json"][..], &[]] {
+        let output = run(words);
+        let told = [output.stdout, output.stderr].concat();
+        let told = String::from_utf8(told).unwrap();
+        assert!(told.contains("report") && !told.contains("apart"), "{told}");
+    }
+}

@@ -65,7 +65,7 @@ use serde_json::json;
 use self::commands::Subcommands;
 use self::failure::BadInput;
 use self::output::{Format, Output};
-use crate::execute::{Launcher, outlive_long_files};
+use crate::execute::{Launcher, apart, outlive_long_files};
 
 const SUCCESS: u8 = 0;
 /// Some case failed; the others' results are complete.
@@ -142,17 +142,19 @@ fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) 
         Ok(cli) => cli,
         Err(_) if launcher.rank > 0 && !launcher.several => return SUCCESS,
         Err(error) => {
+            let whole = error.to_string();
+            // The list of subcommands has the hidden one, too.
+            let plain = whole.replace(&format!(" {},", apart::SUBCOMMAND), "");
             if as_json && error.use_stderr() {
-                failure::print_usage(&error.to_string());
+                failure::print_usage(&plain);
             }
             if as_json && error.kind() == ErrorKind::DisplayVersion {
                 failure::print(&json!({ "name": "seawall", "version": env!("CARGO_PKG_VERSION") }));
                 return SUCCESS;
             }
             // If the output is closed, nobody can be told.
-            let plain = error.to_string();
             let told = crate::keys::shown(&plain);
-            let _ = match told == plain {
+            let _ = match told == whole {
                 true => error.print(),
                 false => write!(std::io::stderr(), "{told}"),
             };

@@ -50,6 +50,16 @@ impl Output {
         written.and_then(|()| out.flush()).context("standard output")
     }
 
+    /// Prints a result of several: as JSON it is one line.
+    pub(super) fn line(&self, text: &str, value: &impl Serialize) -> anyhow::Result<()> {
+        if !self.is_json() {
+            return self.result(text, value);
+        }
+        let mut out = std::io::stdout().lock();
+        let written = writeln!(out, "{}", serde_json::to_string(value)?);
+        written.and_then(|()| out.flush()).context("standard output")
+    }
+
     /// A result as JSON, made only if it is going to be printed. Making that of a large study takes more time than all
     /// else that is printed.
     pub(super) fn value(&self, make: impl FnOnce() -> serde_json::Value) -> serde_json::Value {

@@ -23,7 +23,8 @@ pub(super) struct StatusArgs {
     /// End with the sweep's own exit code: 0 all well, 1 some case failed, 3 something is left.
     #[arg(long)]
     exit_code: bool,
-    /// Look again every so many seconds while the sweep runs, and tell how fast it goes.
+    /// Look again every so many seconds while the sweep runs, and tell how fast it goes. With `--format json`
+    /// each look is one line (JSON lines).
     #[arg(long, value_name = "SECONDS", num_args = 0..=1, default_missing_value = "10", value_parser = options::seconds(0.1, 1e6), allow_negative_numbers = true)]
     watch: Option<f64>,
 }
@@ -32,11 +33,15 @@ pub(super) fn main(args: &StatusArgs, output: &Output) -> anyhow::Result<u8> {
     let mut seen = Standing::of(&args.dir)?;
     let mut watch = Watch::begin(seen.view());
     while let Some(pause) = args.watch.filter(|_| seen.running) {
-        output.result(&watch.told(&seen.told(), seen.view()), &seen.json())?;
+        output.line(&watch.told(&seen.told(), seen.view()), &seen.json())?;
         std::thread::sleep(Duration::from_secs_f64(pause));
         seen = Standing::of(&args.dir)?;
     }
-    output.result(&watch.told(&seen.told(), seen.view()), &seen.json())?;
+    let told = watch.told(&seen.told(), seen.view());
+    match args.watch {
+        Some(_) => output.line(&told, &seen.json())?,
+        None => output.result(&told, &seen.json())?,
+    }
     Ok(match (seen.is_whole(), seen.failed) {
         _ if !args.exit_code => SUCCESS,
         (true, 0) => SUCCESS,

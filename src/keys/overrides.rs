@@ -29,8 +29,20 @@ impl FromStr for Override {
         if key.is_empty() || key.contains('.') || section.as_deref() == Some("") {
             return Err("the key must be name or SECTION.KEY".to_owned());
         }
-        Ok(Override { section, key, value: read_value(value.trim()) })
+        let value = value.trim();
+        if has_comment(value) {
+            return Err(format!("the value {value} has a # after it, which begins a comment"));
+        }
+        Ok(Override { section, key, value: read_value(value) })
     }
+}
+
+/// Whether TOML would take only a part of a text: what stands before a comment.
+fn has_comment(text: &str) -> bool {
+    let is_taken = |text: String| text.parse::<Table>().is_ok();
+    // A comment hides the bracket.
+    let has_mark = text.contains('#') && !text.contains('\n');
+    has_mark && is_taken(format!("value = {text}")) && !is_taken(format!("value = [{text}]"))
 }
 
 /// The value of a text: a TOML value, a number as in tables, or else a bare string.
@@ -98,6 +110,12 @@ mod tests {
         assert_eq!(value("grid.spring_stiffness_n_per_m=5×10⁴"), Value::Float(5e4));
         assert_eq!(value("name=\"x\""), Value::String("x".into()));
         assert!(value("grid.wave_height_ratio=[0.1, 0.2]").is_array());
+        // What is behind a # was left out in silence.
+        for bad in ["a.b=0.03#x", "a.b=[1, 2] # two", "name=\"x\"#"] {
+            assert!(bad.parse::<Override>().unwrap_err().contains("has a # after it"), "{bad}");
+        }
+        assert_eq!(value("name=a#b"), Value::String("a#b".into()));
+        assert_eq!(value("name=\"a # b\""), Value::String("a # b".into()));
         assert_eq!(value("name=1\nother=2"), Value::String("1\nother=2".into()));
     }
 

@@ -1,6 +1,6 @@
 //! What can go wrong between an output directory and its report.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::keys::named;
 use crate::math::words::in_words;
@@ -17,17 +17,27 @@ pub enum ReportError {
     #[error("cannot write {}: {}", named(path), in_words(error))]
     Write { path: PathBuf, error: std::io::Error },
     /// A table lacks a column that the report needs.
-    #[error("{}: no column {column:?}", named(path))]
+    #[error("{}: no column {column:?}{}", named(path), remedy(path))]
     MissingColumn { path: PathBuf, column: &'static str },
     /// A table is not well formed.
-    #[error("{}: {}", named(path), table_in_words(source))]
+    #[error("{}: {}{}", named(path), table_in_words(source), remedy(path))]
     Table { path: PathBuf, source: csv::Error },
     /// A cell holds something that its column does not take.
-    #[error("{}, line {line}, column {column:?}: {reason}", named(path))]
+    #[error("{}, line {line}, column {column:?}: {reason}{}", named(path), remedy(path))]
     Cell { path: PathBuf, line: u64, column: String, reason: String },
     /// A figure could not be drawn: a fault of the program, not of the data.
     #[error("cannot draw {figure}: {reason}")]
     Draw { figure: String, reason: String },
+}
+
+/// What mends a summary: a study's journal has all of it.
+fn remedy(path: &Path) -> String {
+    let directory = path.parent().filter(|_| path.ends_with("summary.csv"));
+    let directory = directory.filter(|directory| directory.join("journal.jsonl").is_file());
+    directory.map_or_else(String::new, |directory| {
+        let directory = named(directory);
+        format!(": the file is damaged; `seawall report {directory}` makes it again")
+    })
 }
 
 fn table_in_words(error: &csv::Error) -> String {

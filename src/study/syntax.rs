@@ -10,7 +10,11 @@ pub(super) fn syntax_error(text: &str, error: &toml::de::Error) -> ConfigError {
     let place = format!("line {line}");
     text.lines()
         .nth(line - 1)
-        .and_then(|line| number_with_more(&place, line).or_else(|| number_with_comma(&place, line)))
+        .and_then(|line| {
+            number_with_more(&place, line)
+                .or_else(|| number_with_comma(&place, line))
+                .or_else(|| key_twice(&place, line, &message))
+        })
         .unwrap_or_else(|| ConfigError::new(&place, "", message))
 }
 
@@ -18,6 +22,12 @@ pub(super) fn syntax_error(text: &str, error: &toml::de::Error) -> ConfigError {
 fn key_and_value(line: &str) -> Option<(&str, &str)> {
     let (name, value) = line.split_once('=')?;
     Some((name.trim(), value.split('#').next()?.trim()))
+}
+
+/// A key that a table has twice. The parser gives only its line.
+fn key_twice(place: &str, line: &str, message: &str) -> Option<ConfigError> {
+    let (name, _) = key_and_value(line).filter(|_| message == "duplicate key")?;
+    Some(ConfigError::new(&format!("{place}: {name}"), "", "stands there twice: duplicate key"))
 }
 
 /// A comma within a number, as decimal comma or between thousands.
