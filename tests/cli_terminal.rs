@@ -238,6 +238,9 @@ fn a_case_that_is_not_finished_is_told_as_such() {
         let words = show(&["H/h=0.6"]);
         assert!(words.contains("H/h=0.6: no such case; there is 0.4, 0.5"), "{words}");
     }
+    fs::write(&journal, &lines).unwrap();
+    let words = show(&last);
+    assert!(words.contains("which is finished; `seawall report "), "{words}");
     fs::remove_file(&summary).unwrap();
     let words = show(&last);
     assert!(words.contains("has no summary.csv; `seawall report "), "{words}");

@@ -20,7 +20,7 @@ use crate::quantities::summary::{CASE_ID, STATUS, WAVE_HEIGHT_RATIO};
 use crate::quantities::{Column, named};
 use crate::report::load::Loaded;
 use crate::report::{self, plain, spoken};
-use crate::results::Manifest;
+use crate::results::{Manifest, finished};
 
 /// Show one case of a finished study: its parameters, results, error bars, health and files.
 #[derive(Debug, Args)]
@@ -68,14 +68,22 @@ pub(super) fn main(args: &ShowArgs, output: &Output) -> anyhow::Result<u8> {
     Ok(SUCCESS)
 }
 
-/// Why an unfinished study has no such finished case: the case may be among the unfinished ones.
+/// Why a summary has no such case: the case may not be finished, or the summary may be damaged.
 fn unfinished(args: &ShowArgs, error: BadInput) -> BadInput {
     let Ok((_, study)) = stored::file_and_study(&args.dir) else { return error };
     match the_case(&study, &args.case) {
         Ok(case) => {
             let (id, told) = (case.id, keys::named(&args.dir));
-            let help = "tells how far the study is";
-            BadInput(format!("case {id} is not finished yet; `seawall status {told}` {help}"))
+            let records = finished(&args.dir, &study).unwrap_or_default();
+            BadInput(if records.get(case.index).is_some_and(Option::is_some) {
+                format!(
+                    "summary.csv has no case {id}, which is finished; `seawall report {told}` makes it again"
+                )
+            } else {
+                format!(
+                    "case {id} is not finished yet; `seawall status {told}` tells how far the study is"
+                )
+            })
         }
         Err(error) => error,
     }
