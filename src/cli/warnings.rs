@@ -1,6 +1,5 @@
 //! Values that a file hardly intends: reported by `check`, `run` and `sweep`, which go on.
 
-use std::collections::BTreeMap;
 use std::f64::consts::SQRT_2;
 use std::path::Path;
 
@@ -12,7 +11,7 @@ use crate::execute::available_cores;
 use crate::keys::named;
 use crate::math::decimal::significant;
 use crate::math::words::counted;
-use crate::scene::{SeawallScene, odd_values};
+use crate::scene::{OddTally, SeawallScene};
 use crate::simulation::{Cost, Limits, cost};
 use crate::study::{Case, Study};
 
@@ -28,31 +27,20 @@ pub(super) fn tell(file: &Path, study: &Study, output: &Output) {
     }
 }
 
-/// Odd values by key: the first one of each, and the number of cases with odd values.
-type Odd = BTreeMap<String, (String, usize)>;
-
 /// The odd values of some cases.
-fn odd(cases: &[Case]) -> Odd {
-    let mut odd = Odd::new();
-    for value in cases.iter().flat_map(|case| odd_values(&case.config)) {
-        let first = || (value.to_string(), 0);
-        odd.entry(value.key.clone()).or_insert_with(first).1 += 1;
-    }
+fn odd(cases: &[Case]) -> OddTally {
+    let mut odd = OddTally::default();
+    cases.iter().for_each(|case| odd.add(&case.config));
     odd
 }
 
 /// The odd values of a study, a line per key, and its cost if high. `time` is from [`time_of_all`].
 pub(super) fn warnings(study: &Study, time: (f64, usize)) -> Vec<String> {
     let chunks: Vec<_> = study.cases.par_chunks(CHUNK).map(odd).collect();
-    let mut odd = Odd::new();
-    for (key, (first, cases)) in chunks.into_iter().flatten() {
-        odd.entry(key).or_insert((first, 0)).1 += cases;
-    }
-    let told = |(line, cases): (String, usize)| match cases {
-        cases if cases == study.cases.len() => line,
-        cases => format!("{line} (in {})", counted(cases, "case")),
-    };
-    let odd = odd.into_values().map(told).chain(unaimed(study)).chain(without_bars(study));
+    let mut odd = OddTally::default();
+    chunks.into_iter().for_each(|chunk| odd.append(chunk));
+    let odd = odd.lines(|cases| format!(" (in {})", counted(cases, "case"))).into_iter();
+    let odd = odd.chain(unaimed(study)).chain(without_bars(study));
     odd.chain(unbarred(study)).chain(long(study, time)).chain(limited(study)).collect()
 }
 

@@ -14,7 +14,7 @@ use crate::body::Stroke;
 use crate::keys::{Section, number, value_of};
 use crate::quantities::Column;
 use crate::quantities::summary::{BOUNDARY, KERNEL, PARTICLE_SPACING, SCHEME};
-use crate::scene::{CaseConfig, odd_values};
+use crate::scene::{CaseConfig, OddTally};
 
 /// All values of one case, with those that the program chose.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -65,23 +65,16 @@ pub fn each_config(
 /// record are left out: their file may be out of reach.
 pub fn oddities(data: &Loaded, rows: impl Iterator<Item = usize>) -> Vec<String> {
     let Some(file) = data.file() else { return Vec::new() };
-    let mut odd: BTreeMap<String, (String, usize)> = BTreeMap::new();
-    let mut cases = 0;
+    let mut odd = OddTally::default();
     for row in rows {
         let Some([scene, numerics]) = file.of_row(&data.keys, row, &file.numerics) else {
             continue;
         };
         let case = CaseConfig::with_probes(&scene, &numerics, &file.probes);
         let Some(case) = case.ok().filter(|_| !scene.contains_key(STROKE)) else { continue };
-        cases += 1;
-        for value in odd_values(&case) {
-            odd.entry(value.key.clone()).or_insert_with(|| (value.to_string(), 0)).1 += 1;
-        }
+        odd.add(&case);
     }
-    let told = |(line, of): (String, usize)| {
-        if of == cases { line } else { format!("{line} (in some cases)") }
-    };
-    odd.into_values().map(told).collect()
+    odd.lines(|_| " (in some cases)".to_owned())
 }
 
 /// The key of a recorded stroke, whose value here is its path. A long record in every case would
