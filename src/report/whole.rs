@@ -5,10 +5,7 @@ use std::io;
 use std::path::Path;
 
 use super::error::ReportError;
-
-/// The end of a name that only a file on its way has. What a killed process leaves of these is
-/// removed by the next report.
-const TEMPORARY: &str = ".partial";
+use crate::keys::partial;
 
 /// Fills a file under another name, then gives it its own. A failure leaves nothing behind. `fill`
 /// gets a function that wraps an error of the system.
@@ -17,9 +14,7 @@ pub fn write<T>(
     fill: impl FnOnce(&File, &dyn Fn(io::Error) -> ReportError) -> Result<T, ReportError>,
 ) -> Result<T, ReportError> {
     let wrong = |error| ReportError::Write { path: path.to_owned(), error };
-    let mut name = path.file_name().unwrap_or_default().to_owned();
-    name.push(TEMPORARY);
-    let temporary = path.with_file_name(name);
+    let temporary = partial(path);
     let file = File::create(&temporary).map_err(wrong)?;
     let renamed = |filled| fs::rename(&temporary, path).map_err(wrong).map(|()| filled);
     fill(&file, &wrong).and_then(renamed).inspect_err(|_| {

@@ -8,8 +8,7 @@ use rayon::prelude::*;
 
 use super::disk;
 use super::error::SweepError;
-
-const TEMPORARY: &str = ".partial";
+use crate::keys::{PARTIAL, partial};
 
 /// Writes a file so that no reader, and no crash, ever sees a part of it.
 pub(super) fn write(path: &Path, content: &[u8]) -> Result<(), SweepError> {
@@ -38,9 +37,7 @@ pub(super) fn write_unsynced(path: &Path, content: &[u8]) -> Result<(), SweepErr
 
 /// A failure leaves nothing behind.
 fn put(path: &Path, fill: impl FnOnce(&File) -> Result<(), SweepError>) -> Result<(), SweepError> {
-    let mut name = path.file_name().unwrap_or_default().to_owned();
-    name.push(TEMPORARY);
-    let temporary = path.with_file_name(name);
+    let temporary = partial(path);
     let file = disk::create(&temporary).map_err(SweepError::io(path))?;
     let renamed = || disk::rename(&temporary, path).map_err(SweepError::io(path));
     fill(&file).and_then(|()| renamed()).inspect_err(|_| {
@@ -54,9 +51,9 @@ fn put(path: &Path, fill: impl FnOnce(&File) -> Result<(), SweepError>) -> Resul
 pub(super) fn clean(folders: &[PathBuf]) -> Result<(), SweepError> {
     let left = |folder: &PathBuf| {
         let entries = fs::read_dir(folder).into_iter().flatten().flatten();
-        let partial =
-            |entry: &DirEntry| entry.file_name().as_encoded_bytes().ends_with(TEMPORARY.as_bytes());
-        entries.filter(partial).map(|entry| entry.path()).collect::<Vec<_>>()
+        let is_partial =
+            |entry: &DirEntry| entry.file_name().as_encoded_bytes().ends_with(PARTIAL.as_bytes());
+        entries.filter(is_partial).map(|entry| entry.path()).collect::<Vec<_>>()
     };
     let left: Vec<_> = folders.par_iter().flat_map_iter(left).collect();
     left.iter().try_for_each(|path| disk::remove_file(path).map_err(SweepError::io(path)))
