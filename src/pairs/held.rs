@@ -1,10 +1,12 @@
 //! The pairs in reach from the last full step, and sums over them.
 //!
-//! A pass over held pairs needs Σ_j g_ij f_j alone, for a few numbers f of the neighbour:
+//! A pass over held pairs needs Σ_j g_ij f_j alone. Here f is one of a few numbers of the neighbour.
+//! A sum over differences is two such sums:
 //!
 //! ```text
 //! Σ g u_j (r_i - r_j) = r_i Σ g u_j - Σ g u_j r_j
 //! ```
+//!
 //! So a pair costs one product per number, and no place is read again. Places are in support radii
 //! from the scene's origin. So the difference loses two or three of sixteen digits.
 

@@ -86,7 +86,11 @@ impl Derived {
     /// Whether a report ended before it had made all of its files. One that is still at work does
     /// not count.
     pub fn is_cut(directory: &Path) -> bool {
-        Derived::read(directory).begun && !Making::is_held(directory)
+        Derived::read(directory).ended_early(directory)
+    }
+
+    fn ended_early(&self, directory: &Path) -> bool {
+        self.begun && !Making::is_held(directory)
     }
 
     /// All files are made, with these figures and tables; `all` is whether a sweep has nothing left
@@ -164,9 +168,7 @@ pub(super) fn damage(directory: &Path) -> Vec<String> {
     let told = derived.files.iter().filter_map(|(name, seal)| {
         seal.damage(&directory.join(name)).map(|what| format!("{name} {what}"))
     });
-    // What is being made may be unfinished.
-    let is_cut = derived.begun && !Making::is_held(directory);
-    told.chain(is_cut.then(|| CUT.to_owned())).collect()
+    told.chain(derived.ended_early(directory).then(|| CUT.to_owned())).collect()
 }
 
 const CUT: &str = "page, figures and tables were not finished: `seawall report` makes them again";
