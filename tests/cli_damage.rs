@@ -64,8 +64,19 @@ fn a_recorded_stroke_that_has_changed_is_named() {
 /// The story: away from the file of its stroke a study could not be checked, and a report took changed data for good.
 #[test]
 fn a_study_is_checked_without_the_file_of_its_stroke() {
-    let text = "name = \"a\"\n[scene]\npaddle = \"recorded-stroke\"\nend_time_s = 0.1\nrecorded_stroke = \"stroke.csv\"\n\
-                [numerics]\nparticle_spacing_m = 0.05\n[grid]\nboundary = [\"improved-shepard\"]\n";
+    let start = "name = \"a\"\n[scene]\npaddle = \"recorded-stroke\"\nend_time_s = 0.1\n";
+    let numerics = "[numerics]\nparticle_spacing_m = 0.05\n[grid]\n";
+    let named = "recorded_stroke = \"stroke.csv\"\n";
+    checked_without_its_stroke(
+        "scene",
+        &format!("{start}{named}{numerics}boundary = [\"improved-shepard\"]\n"),
+    );
+    let swept = named.replace("\"stroke.csv\"", "[\"stroke.csv\"]");
+    checked_without_its_stroke("grid", &format!("{start}{numerics}{swept}"));
+}
+
+/// The section names the file of the stroke.
+fn checked_without_its_stroke(section: &str, text: &str) {
     let desk = Desk::new(text);
     fs::write(desk.path().join("stroke.csv"), "time_s,stroke_m\n0,0\n0.5,0.01\n1,0.02\n").unwrap();
     let at = |code: i32, folder: &Path, words: &[&str]| {
@@ -73,7 +84,9 @@ fn a_study_is_checked_without_the_file_of_its_stroke() {
     };
     at(0, desk.path(), &["sweep", &desk.file, "--out", &desk.dir, "--film", "none"]);
     let away = tempfile::tempdir().unwrap();
-    let missing = "scene.recorded_stroke: there is no file stroke.csv, sought from the folder where the program";
+    let missing = &format!(
+        "{section}.recorded_stroke: there is no file stroke.csv, sought from the folder where the program"
+    );
     let told = at(0, away.path(), &["verify", &desk.dir]);
     assert_eq!(told.out, "1 case: every file is as it was written\n");
     assert!(told.err.contains("not compared with the journal") && told.err.contains(missing));

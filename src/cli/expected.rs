@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use rayon::prelude::*;
+use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 
 use super::cost::{binary, estimated_time, time_of_all};
@@ -14,7 +15,7 @@ use crate::math::lists::counts;
 use crate::math::words::counted;
 use crate::scene::limits;
 use crate::simulation::{Cost, cost};
-use crate::study::{Case, Plan, Study};
+use crate::study::{Plan, Study};
 
 /// How many cases are looked at in one go.
 const CHUNK: usize = 4096;
@@ -110,20 +111,19 @@ impl Expected<'_> {
         format!("{time} on {cores}{}{films}", again.unwrap_or_default())
     }
 
-    /// The same for programs, with the listed cases.
-    pub(super) fn json(&self, listed: &[Case]) -> Value {
+    /// The same for programs.
+    pub(super) fn json(&self) -> Listed<'_> {
+        Listed { cases: Cases(self.study), expected: self.fields() }
+    }
+
+    fn fields(&self) -> Value {
         let (study, plan) = (self.study, &self.plan);
-        let case = |case: &Case| {
-            let values: serde_json::Map<_, _> = study.values(case).into_iter().collect();
-            json!({ "index": case.index, "id": case.id, "values": values })
-        };
         let physics = self.physics.iter().map(|on| (on.name, &on.values));
         let warnings = self.warnings.iter().map(String::as_str);
         json!({
             "name": study.name,
             "physics": physics.collect::<BTreeMap<_, _>>(),
             "warnings": warnings.chain(self.limits.keys().copied()).collect::<Vec<_>>(),
-            "cases": listed.iter().map(case).collect::<Vec<_>>(),
             "refine": study.refine,
             "max_error_percent": study.max_error_percent,
             "companions": study.companions.len(),
@@ -137,6 +137,26 @@ impl Expected<'_> {
             "estimated_time_s": self.seconds,
             "longest_time_s": self.aim.map(|(_, longest)| longest),
         })
+    }
+}
+
+/// What is expected, and every case.
+#[derive(Serialize)]
+pub(super) struct Listed<'a> {
+    cases: Cases<'a>,
+    #[serde(flatten)]
+    expected: Value,
+}
+
+/// Each case is made as it is written: a million of them would take gigabytes.
+struct Cases<'a>(&'a Study);
+
+impl Serialize for Cases<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.0.cases.iter().map(|case| {
+            let values: serde_json::Map<_, _> = self.0.values(case).into_iter().collect();
+            json!({ "index": case.index, "id": case.id, "values": values })
+        }))
     }
 }
 

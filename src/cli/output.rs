@@ -1,6 +1,6 @@
 //! What goes to standard output (results) and to standard error (notes).
 
-use std::io::{IsTerminal, Write};
+use std::io::{BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::Context as _;
@@ -45,7 +45,7 @@ impl Output {
         let written = match self.format {
             Format::Human if self.quiet => Ok(()),
             Format::Human => out.write_all(text.as_bytes()),
-            Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(value)?),
+            Format::Json => pretty(&mut out, value),
         };
         written.and_then(|()| out.flush()).context("standard output")
     }
@@ -88,6 +88,14 @@ impl Output {
             ProgressStyle::Lines
         }
     }
+}
+
+/// Prints a value piece by piece: that of a million cases has hundreds of megabytes.
+fn pretty(out: impl Write, value: &impl Serialize) -> std::io::Result<()> {
+    let mut out = BufWriter::with_capacity(1 << 16, out);
+    serde_json::to_writer_pretty(&mut out, value)?;
+    writeln!(out)?;
+    out.flush()
 }
 
 /// Seconds for people: `4.2 s` where they are few, `42 s`, `3 min 20 s`, `3.5 days`.

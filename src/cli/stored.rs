@@ -80,15 +80,15 @@ pub(super) fn file_and_study(directory: &Path) -> anyhow::Result<(SweepFile, Stu
 }
 
 /// Why a directory's study cannot be made again: the file of its recorded stroke is not where the
-/// scene says. `None` if there is another reason, or none.
+/// sweep file says. `None` if there is another reason, or none.
 pub(super) fn missing_stroke(directory: &Path) -> Option<String> {
     let (_, file) = manifest_and_file(directory).ok()?;
-    let path = Path::new(file.missing_stroke()?);
+    let (section, path) = file.missing_stroke()?;
     let from = match path.is_relative() {
         true => ", sought from the folder where the program was started",
         false => "",
     };
-    Some(format!("scene.recorded_stroke: there is no file {}{from}", named(path)))
+    Some(format!("{section}.recorded_stroke: there is no file {}{from}", named(path)))
 }
 
 /// The study as its sweep goes on with it, if its rounds add points or choose finer numerics;

@@ -42,7 +42,7 @@ pub enum Filming {
 }
 
 /// Names the file that an error concerns.
-fn at(path: &Path) -> impl FnOnce(io::Error) -> io::Error + '_ {
+fn at(path: &Path) -> impl Fn(io::Error) -> io::Error + '_ {
     move |error| io::Error::new(error.kind(), format!("{}: {}", named(path), in_words(&error)))
 }
 

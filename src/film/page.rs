@@ -1,7 +1,8 @@
 //! The page that plays a film: particles, curves, style and script in one file.
 
-use std::path::PathBuf;
-use std::{fs, io};
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
 
 use super::camera::{PageCamera, Take};
 use super::reel::Reel;
@@ -9,6 +10,7 @@ use super::scale::{self, Colour};
 use super::stage::Stage;
 use super::title::{about, is_read, moment, title};
 use super::{at, camera, still};
+use crate::keys::write_whole;
 use crate::math::decimal::significant;
 use crate::scene::CaseConfig;
 use crate::simulation::{CaseResult, cost};
@@ -106,7 +108,7 @@ impl PageFilm {
         for (picture, take, inside) in moments {
             let Some(take) = take else { continue };
             let still = draw(take);
-            fs::write(&picture, &still).map_err(at(&picture))?;
+            save(&picture, &still)?;
             stills += if inside { &still } else { "" };
         }
         let reel = Reel { takes, crest, highest, stage: &stage, end };
@@ -129,11 +131,13 @@ impl PageFilm {
         ];
         let text = include_str!("page.html").to_owned();
         let text = fields.iter().fold(text, |text, (field, value)| text.replacen(field, value, 9));
-        // An existing page must be complete: a sweep relies on it.
-        let partial = page.with_extension("html.partial");
-        fs::write(&partial, text).map_err(at(&partial))?;
-        fs::rename(&partial, &page).map_err(at(&page))
+        save(&page, &text)
     }
+}
+
+/// An existing file must be complete: a sweep relies on it.
+fn save(path: &Path, text: &str) -> io::Result<()> {
+    write_whole(path, at(path), |mut file| file.write_all(text.as_bytes()).map_err(at(path)))
 }
 
 /// The first frame of the largest displacement, if the wall moved far enough to be seen.

@@ -35,7 +35,6 @@ mod spoken;
 pub mod study;
 pub mod tables;
 mod variant;
-mod whole;
 
 use std::fs;
 use std::io::Write;
@@ -50,6 +49,7 @@ pub use reproduce::Reproduced;
 pub use row::Row;
 pub use spoken::spoken;
 
+use crate::keys::write_whole;
 use load::Loaded;
 use tables::Lines;
 
@@ -198,7 +198,8 @@ fn make(directory: &Path) -> Result<(), ReportError> {
 }
 
 fn save(path: &Path, content: &(impl AsRef<[u8]> + ?Sized)) -> Result<(), ReportError> {
-    whole::write(path, |mut file, wrong| file.write_all(content.as_ref()).map_err(wrong))
+    let wrong = |error| ReportError::Write { path: path.to_owned(), error };
+    write_whole(path, wrong, |mut file| file.write_all(content.as_ref()).map_err(wrong))
 }
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! The sweep file: a name, a scene, numerics, and a grid.
 
+use std::path::Path;
+
 use toml::{Table, Value};
 
 use super::axis::GridAxis;
@@ -56,15 +58,26 @@ const STROKE: &str = "recorded_stroke";
 const OF_A_MATRIX: [&str; 2] = ["case", "method"];
 
 impl SweepFile {
-    /// Whether its cases depend on another file: the stroke of a paddle.
-    pub fn names_stroke(&self) -> bool {
-        self.scene.contains_key(STROKE) || self.grid.iter().any(|axis| axis.key == STROKE)
+    /// The other files that its cases depend on, recorded strokes of a paddle, with the section
+    /// that names each.
+    fn strokes(&self) -> impl Iterator<Item = (&'static str, &Value)> {
+        let swept = self.grid.iter().filter(|axis| axis.key == STROKE);
+        let swept = swept.flat_map(|axis| &axis.values).map(|value| ("grid", value));
+        self.scene.get(STROKE).map(|value| ("scene", value)).into_iter().chain(swept)
     }
 
-    /// The file of a recorded stroke of the scene that is not where its path says.
-    pub fn missing_stroke(&self) -> Option<&str> {
-        let path = self.scene.get(STROKE)?.as_str()?;
-        (!std::path::Path::new(path).exists()).then_some(path)
+    /// Whether its cases depend on another file.
+    pub fn names_stroke(&self) -> bool {
+        self.strokes().next().is_some()
+    }
+
+    /// The first file of a recorded stroke that is not where its path says, and the section that
+    /// names it.
+    pub fn missing_stroke(&self) -> Option<(&'static str, &Path)> {
+        self.strokes().find_map(|(section, value)| {
+            let path = Path::new(value.as_str()?);
+            (!path.exists()).then_some((section, path))
+        })
     }
 
     /// Reads a file's text and applies the command line's values.

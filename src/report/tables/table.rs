@@ -3,9 +3,9 @@
 use std::fs::File;
 use std::path::Path;
 
+use crate::keys::write_whole;
 use crate::math::comma::csv;
 use crate::report::error::ReportError;
-use crate::report::whole;
 
 /// A table, ready for a file or a page.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -81,7 +81,8 @@ impl<'a> Lines<'a> {
 
     /// Writes the table as comma-separated text, and keeps its first rows.
     pub fn write(self, path: &Path, most: usize) -> Result<Table, ReportError> {
-        whole::write(path, |file, wrong| self.fill(file, most, wrong))
+        let wrong = |error| ReportError::Write { path: path.to_owned(), error };
+        write_whole(path, wrong, |file| self.fill(file, most, &wrong))
     }
 
     fn fill(
