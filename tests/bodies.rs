@@ -72,6 +72,34 @@ fn a_recorded_solitary_stroke_makes_the_solitary_wave() {
     near(recorded.measured_wave_height_ratio.unwrap(), made.measured_wave_height_ratio.unwrap());
 }
 
+/// The story: a recorded train had the numerics of a single wave, so its forces scattered from wave to wave and energy
+/// came from its walls.
+#[test]
+fn a_recorded_train_makes_the_waves_of_the_train() {
+    let tank = "wave_height_ratio = 0.1\ntank_length_m = 2.6\nend_time_s = 10\n";
+    let train = format!("paddle = \"wave-train\"\nwave_period_s = 1\n{tank}");
+    let made = config(&train, 0.025);
+    let paddle = made.scene.seawall().unwrap().paddle().unwrap();
+    let row = |time: f64| format!("{time},{}\n", paddle.motion(time).offset);
+    let rows: String = (0..=1000).map(|k| row(0.01 * f64::from(k))).collect();
+    let file = tempfile::NamedTempFile::new().unwrap();
+    std::fs::write(file.path(), format!("time_s,stroke_m\n{rows}")).unwrap();
+    let recorded =
+        format!("paddle = \"recorded-stroke\"\nrecorded_stroke = {:?}\n{tank}", file.path());
+    let played = config(&recorded, 0.025);
+    assert_eq!(played.numerics, made.numerics);
+    let [made, played] = [made, played].map(|case| {
+        let history = run_case(&case, None, SimdPath::widest(), &Unwatched).unwrap().history;
+        (2..10).map(move |period| {
+            let rows = history.iter().filter(|row| row.time_s as i32 == period);
+            rows.map(|row| row.force).fold(0.0, f64::max)
+        })
+    });
+    for (made, played) in made.zip(played) {
+        assert!((played / made - 1.0).abs() < 2e-3, "{played} {made}");
+    }
+}
+
 /// The story: a clock that shows 86400 s at the start, or the time since 1970, left the energy budget open by 274 %, or
 /// the run never began.
 #[test]

@@ -24,6 +24,11 @@ const HOLE: f64 = 5.0;
 /// ... and the stroke moves across it by more than this share of its reach.
 const UNSEEN: f64 = 0.02;
 
+/// A swing back or forth counts from this share of the way between the stroke's outermost points.
+const SWING: f64 = 0.1;
+/// A stroke that turns so often makes one wave after another.
+const TURNS: usize = 3;
+
 /// Times, s, and positions, m, read from a CSV file. In a case they replace the file's name. So the
 /// contents are part of the case's identity, and no other process needs the file.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -37,6 +42,9 @@ struct Played {
     /// How far the spline through them goes back and forth, metres.
     #[serde(skip)]
     range: [f64; 2],
+    /// How often it turns back.
+    #[serde(skip)]
+    turns: usize,
 }
 
 /// As in a scene file, or as in a case.
@@ -96,7 +104,8 @@ impl Stroke {
             return wrong(at + 1, format!("{how}: times must rise"));
         }
         let range = RecordedStroke::through(&points).range;
-        Ok(Stroke(Shared::from(Played { points, range })))
+        let turns = turns(&points);
+        Ok(Stroke(Shared::from(Played { points, range, turns })))
     }
 
     /// The clock at its first point, seconds.
@@ -112,10 +121,21 @@ impl Stroke {
 
     /// How much farther than the points the spline goes, back or forth, metres.
     pub fn overshoot(&self) -> f64 {
-        let Played { points, range } = &*self.0;
+        let Played { points, range, .. } = &*self.0;
         let start = points[0][1];
         let [back, forth] = widest(points.iter().map(|point| point[1] - start));
         (range[1] - forth).max(back - range[0])
+    }
+
+    /// Whether it goes back and forth, and so makes one wave after another. A single wave takes one
+    /// way forth, and at most the way back.
+    pub fn goes_on(&self) -> bool {
+        self.turns() >= TURNS
+    }
+
+    /// How often it turns back, small swings aside.
+    pub fn turns(&self) -> usize {
+        self.0.turns
     }
 
     /// The two points beside the widest gap across which the stroke moves, and the median distance
@@ -146,6 +166,29 @@ pub struct RecordedStroke {
 /// The least and the largest of places, the start among them.
 fn widest(places: impl Iterator<Item = f64>) -> [f64; 2] {
     places.fold([0.0; 2], |[back, forth], at| [back.min(at), forth.max(at)])
+}
+
+/// How often a stroke turns back, small swings aside.
+fn turns(points: &[[f64; 2]]) -> usize {
+    let [low, high] = widest(points.iter().map(|point| point[1] - points[0][1]));
+    let swing = SWING * (high - low);
+    // How far it was back and forth since it turned.
+    let [mut back, mut forth] = [points[0][1]; 2];
+    let (mut turns, mut forward) = (0, None);
+    for &[_, at] in points {
+        (back, forth) = (back.min(at), forth.max(at));
+        let turned = match forward {
+            Some(true) => at < forth - swing,
+            Some(false) => at > back + swing,
+            None => forth - back > swing,
+        };
+        if turned {
+            turns += usize::from(forward.is_some());
+            forward = Some(forward.map_or(at == forth, |before: bool| !before));
+            (back, forth) = (at, at);
+        }
+    }
+    turns
 }
 
 impl RecordedStroke {

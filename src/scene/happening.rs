@@ -56,7 +56,7 @@ impl Scene {
     pub(super) fn hits_again(&self) -> bool {
         self.seawall().is_some_and(|scene| {
             let Frame { length, depth, gravity, end_time, .. } = scene.frame();
-            let single = scene.wave_height_ratio > 0.0 && scene.wave_train.is_none();
+            let single = scene.wave_height_ratio > 0.0 && !self.has_train();
             let celerity = (gravity * depth * (1.0 + scene.wave_height_ratio)).sqrt();
             let returns = end_time - scene.start_s() > 3.0 * length / celerity;
             single && returns && self.lasts(SINKS_AFTER)
@@ -73,12 +73,17 @@ impl Scene {
         self.seawall().is_some_and(SeawallScene::is_upright_over_level_bed)
     }
 
-    /// Whether its paddle makes regular waves.
+    /// Whether its paddle makes one wave after another.
     fn has_train(&self) -> bool {
-        self.seawall().is_some_and(|scene| scene.wave_train.is_some())
+        self.seawall().is_some_and(|scene| {
+            let recorded = scene.recorded.as_ref();
+            scene.wave_train.is_some()
+                || recorded.is_some_and(|keys| keys.recorded_stroke.goes_on())
+        })
     }
 
-    /// Whether its waves meet a wall again and again: a train, or a standing wave.
+    /// Whether its waves meet a wall again and again: a train, a stroke that
+    /// goes back and forth, or a standing wave.
     pub(super) fn has_waves_that_go_on(&self) -> bool {
         self.has_train() || matches!(self, Scene::StandingWave(_))
     }

@@ -140,12 +140,13 @@ impl Facts<'_> {
         })
     }
 
-    /// Whether it has regular waves for more than ten periods.
+    /// Whether it has more than ten waves, one after another.
     pub fn is_long_train(&self) -> bool {
-        let scene = self.scene().seawall();
-        let period =
-            scene.and_then(|scene| scene.wave_train.as_ref()).map(|train| train.wave_period_s);
-        period.is_some_and(|period| self.scene().frame().end_time > 10.0 * period)
+        let Some(scene) = self.scene().seawall() else { return false };
+        let period = scene.wave_train.as_ref().map(|train| train.wave_period_s);
+        let regular = period.is_some_and(|period| self.scene().frame().end_time > 10.0 * period);
+        let recorded = scene.recorded.as_ref().map(|keys| keys.recorded_stroke.turns());
+        regular || recorded.is_some_and(|turns| turns > 20)
     }
 
     /// Particle spacings from crest to crest of regular waves.

@@ -71,6 +71,27 @@ fn a_hole_that_the_stroke_moves_across_is_found() {
     assert_eq!(Stroke::checked(resting.to_vec(), &[]).unwrap().hole(), None, "it stands there");
 }
 
+/// The story: a recorded train had the numerics of a single wave, and lost four times the energy to viscosity.
+#[test]
+fn strokes_that_go_back_and_forth_make_one_wave_after_another() {
+    let goes_on = |place: &dyn Fn(f64) -> f64| {
+        let points = (0..=400).map(|k| 0.02 * f64::from(k)).map(|time| [time, place(time)]);
+        Stroke::checked(points.collect(), &[]).unwrap().goes_on()
+    };
+    let wave = |time: f64| 0.1 * libm::sin(2.0 * std::f64::consts::PI * time);
+    let forth = |time: f64| libm::tanh(2.0 * (time - 4.0));
+    // Parts of a train: of a period and a half it turns three times.
+    assert!(
+        goes_on(&wave)
+            && goes_on(&|time| wave(time.min(1.5)))
+            && goes_on(&|time| -wave(time.min(1.5)))
+    );
+    assert!(!goes_on(&|time| wave(time.min(1.0))) && !goes_on(&|_| 0.0) && !goes_on(&forth));
+    assert!(!goes_on(&|time| forth(2.0 * time) - forth(2.0 * time - 6.0)), "forth and back");
+    assert!(!goes_on(&|time| forth(time) + 0.04 * wave(7.0 * time)), "a gauge that trembles");
+    assert!(goes_on(&|time| wave(time) * libm::exp(-(time - 4.0) * (time - 4.0))), "a group");
+}
+
 #[test]
 fn a_file_gives_its_path() {
     assert_eq!(Shape::of::<Stroke>(), Shape::Text);
