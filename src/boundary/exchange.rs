@@ -10,7 +10,7 @@ use super::image::Image;
 use super::rules::{ExchangeRules, GhostGravity, targets};
 use super::sums::{Cover, KernelWeights, Means, Near, Water, Weigh};
 use super::waterline::Waterline;
-use super::with_interpolator;
+use super::{InterpolatorChoice, with_interpolator};
 use crate::body::BodyMotion;
 use crate::math::simd::{LANES, SimdPath, dispatch};
 use crate::math::team::{self, Team};
@@ -22,8 +22,6 @@ use crate::with_kernel;
 pub struct Exchange {
     pub(super) rules: ExchangeRules,
     pub(super) waterlines: Vec<Waterline>,
-    /// The ghost next to each face point.
-    pub(super) fronts: Vec<Option<u32>>,
     /// Share of each face point's half disc that other walls leave open; of the bed, 1.
     pub(super) complete: Vec<f64>,
     pub(super) half_plane: Vec<f64>,
@@ -34,7 +32,7 @@ pub struct Exchange {
     places: [Vec<f64>; 2],
     /// Blocks with ghosts that have water in reach, at the last [`Exchange::fill`].
     pub(super) counting: Vec<u32>,
-    /// Room for the motions that [`Exchange::face_force`] assumes.
+    /// Room for the motions that [`Exchange::weigh_face`] assumes.
     pub(super) motions: Vec<BodyMotion>,
     pub(super) images: Vec<Image>,
     pub(super) scale: Vec<[f64; LANES]>,
@@ -63,7 +61,6 @@ impl Exchange {
         let mut exchange = Exchange {
             rules,
             waterlines,
-            fronts: Exchange::fronts(ghosts),
             complete: vec![1.0; targets],
             half_plane,
             team: Team::default(),
@@ -162,7 +159,7 @@ impl Exchange {
         water: Water<'_>,
     ) {
         let blocks = 0..ghosts.len() / LANES;
-        self.weigh_blocks(path, ghosts, bodies, water, blocks);
+        self.weigh_blocks(path, (ghosts, bodies), water, blocks, self.rules.interpolator);
         let Exchange { rules, team, parts, wetness, .. } = self;
         let (rules, faces) = (*rules, ghosts.len() / LANES..ghosts.target_x.len() / LANES);
         team.share(parts, &mut wetness[..], &|part, coverage| {
@@ -179,13 +176,13 @@ impl Exchange {
     pub(super) fn weigh_blocks(
         &mut self,
         path: SimdPath,
-        ghosts: &Ghosts,
-        bodies: &[BodyMotion],
+        (ghosts, bodies): (&Ghosts, &[BodyMotion]),
         water: Water<'_>,
         blocks: Range<usize>,
+        interpolator: InterpolatorChoice,
     ) {
         let Exchange { rules, team, parts, scale, fallen, means, .. } = self;
-        let (rules, interpolator) = (*rules, rules.interpolator);
+        let rules = *rules;
         let rows = ([&mut scale[..], &mut fallen[..]], &mut means[..]);
         team.share(parts, rows, &|part, ([scale, fallen], means)| {
             let GhostPart { blocks: own, list, held, .. } = part;

@@ -1,11 +1,13 @@
-//! Pressures along a wall's face, from the water that the first ghosts behind it mirror.
+//! Pressures along a wall's face.
 
 use std::ops::Range;
 
 use super::exchange::Exchange;
 use super::ghosts::Ghosts;
+use super::sums::Water;
+use super::{AMPLIFICATION_LIMIT, InterpolatorChoice, MlsLinear};
 use crate::body::{BodyMotion, Place};
-use crate::math::simd::LANES;
+use crate::math::simd::{LANES, SimdPath};
 
 impl Ghosts {
     /// The points up a body's face; none if there is no such body. Points of the back of a wall
@@ -13,66 +15,70 @@ impl Ghosts {
     pub fn up(&self, body: usize) -> Range<usize> {
         let faces = self.bodies.get(body).map_or(0..0, |body| body.faces.clone());
         let crest = self.crest.as_ref().filter(|_| body == Place::Right.number());
-        let is_up = |x: &f64| crest.is_none_or(|crest| *x == crest.ends[0]);
-        faces.start..faces.start + self.target_x[faces].partition_point(is_up)
+        let is_up = |face: &usize| {
+            let [x, y] = [self.target_x[*face], self.target_y[*face]];
+            crest.is_none_or(|crest| x == crest.ends[0] && y <= crest.height)
+        };
+        faces.start..faces.clone().find(|face| !is_up(face)).unwrap_or(faces.end)
     }
 }
 
 impl Exchange {
-    /// The ghost next to each point of a body's face: the nearest of those whose wetness the point
-    /// gives.
-    pub(super) fn fronts(ghosts: &Ghosts) -> Vec<Option<u32>> {
-        let first = ghosts.len();
-        let mut fronts: Vec<Option<u32>> = vec![None; ghosts.target_x.len() - first];
-        for g in (0..first).filter(|&g| ghosts.volume[g] > 0.0) {
-            let Some(at) = (ghosts.face[g] as usize).checked_sub(first) else { continue };
-            let Some(front) = fronts.get_mut(at) else { continue };
-            if front.is_none_or(|other| ghosts.distance[g] < ghosts.distance[other as usize]) {
-                *front = Some(g as u32);
-            }
-        }
-        fronts
-    }
-
-    /// The water's pressure at every point up a body's face, Pa; 0 where it is dry. It is the mean
-    /// around the mirror point of the next ghost, moved to the face. It needs no interpolation of
-    /// its own.
+    /// The water's pressure at every point up a body's face, Pa; 0 where it is dry. Moving least
+    /// squares find it, whatever gives the ghosts their values: in a thin jet the nearest particle
+    /// alone may have twice the pressure of the water around it.
     pub fn face_pressures(
-        &self,
+        &mut self,
+        path: SimdPath,
         ghosts: &Ghosts,
-        body: usize,
-        motion: &BodyMotion,
+        (body, motion): (usize, &BodyMotion),
+        water: Water<'_>,
         pressures: &mut Vec<f64>,
     ) {
+        let amplification_limit = AMPLIFICATION_LIMIT;
+        let smooth = InterpolatorChoice::MlsLinear(MlsLinear { amplification_limit });
+        self.weigh_face(path, ghosts, (body, motion), water, smooth);
         let pressure = |face: usize| {
             let wet = self.wet_share(body, face);
-            let front = self.fronts[face - ghosts.len()].filter(|_| wet > 0.0);
-            front.map_or(0.0, |g| wet * self.moved_to_face(ghosts, motion, g as usize, face))
+            if wet > 0.0 { wet * self.moved_to_face(ghosts, motion, face) } else { 0.0 }
         };
         pressures.clear();
         pressures.extend(ghosts.up(body).map(pressure));
     }
 
-    /// The water's pressure at a point of a face, Pa; 0 where no water is near. `from` is the
-    /// target, a ghost or a face point, around which the mean was taken. The weight of the water
-    /// between moves the mean to the face: p = p_m - ρ (g (y - y_m) + a (x - x_m)), with the effect
-    /// of the water's own acceleration.
-    pub(super) fn moved_to_face(
-        &self,
+    /// Weights and means at the points of a body's face. The body has this motion, the others
+    /// stand.
+    pub(super) fn weigh_face(
+        &mut self,
+        path: SimdPath,
         ghosts: &Ghosts,
-        motion: &BodyMotion,
-        from: usize,
-        face: usize,
-    ) -> f64 {
-        let (block, lane) = (from / LANES, from % LANES);
+        (body, motion): (usize, &BodyMotion),
+        water: Water<'_>,
+        interpolator: InterpolatorChoice,
+    ) {
+        let faces = &ghosts.bodies[body].faces;
+        let blocks = faces.start / LANES..faces.end.div_ceil(LANES);
+        let mut bodies = std::mem::take(&mut self.motions);
+        bodies.clear();
+        bodies.resize(ghosts.bodies.len(), BodyMotion::default());
+        bodies[body] = *motion;
+        self.weigh_blocks(path, (ghosts, &bodies), water, blocks, interpolator);
+        self.motions = bodies;
+    }
+
+    /// The water's pressure at a point of a face, Pa; 0 where no water is near. The weight of the
+    /// water between moves the mean to the face: p = p_m - ρ (g (y - y_m) + a (x - x_m)), with the
+    /// effect of the water's own acceleration.
+    pub(super) fn moved_to_face(&self, ghosts: &Ghosts, motion: &BodyMotion, face: usize) -> f64 {
+        let (block, lane) = (face / LANES, face % LANES);
         if self.scale[block][lane] == 0.0 {
             return 0.0;
         }
         let means = &self.means[block];
         let x = ghosts.target_x[face] + motion.offset - means.x[lane];
         let y = ghosts.target_y[face] - means.y[lane];
-        let falling = self.falling(ghosts, from, [x, y]);
+        let falling = self.falling(ghosts, face, [x, y]);
         let head = self.rules.gravity * y + motion.acceleration * x + falling;
-        means.pressure[lane] - self.density(from) * head
+        means.pressure[lane] - self.density(face) * head
     }
 }

@@ -8,7 +8,7 @@ use super::profile::Profile;
 use super::sums::Water;
 use super::waterline::{corner_angle, wedge_fraction};
 use crate::body::{BodyMotion, Place};
-use crate::math::simd::{LANES, SimdPath};
+use crate::math::simd::SimdPath;
 
 /// This many points of the bed in a row are dry at the water's edge. At a step lower than a
 /// spacing, one or two may read as dry under deep water.
@@ -187,17 +187,11 @@ impl Exchange {
         let [a, b] = [faces.start, faces.start + 1];
         let apart = [&ghosts.target_x, &ghosts.target_y].map(|places| places[b] - places[a]);
         let spacing = apart[0].hypot(apart[1]);
-        let blocks = faces.start / LANES..faces.end.div_ceil(LANES);
-        let mut bodies = std::mem::take(&mut self.motions);
-        bodies.clear();
-        bodies.resize(ghosts.bodies.len(), BodyMotion::default());
-        bodies[body] = *motion;
-        self.weigh_blocks(path, ghosts, &bodies, water, blocks);
-        self.motions = bodies;
+        self.weigh_face(path, ghosts, (body, motion), water, self.rules.interpolator);
         faces
             .map(|face| {
                 let wet = self.wet_share(body, face);
-                let pressure = self.moved_to_face(ghosts, motion, face, face);
+                let pressure = self.moved_to_face(ghosts, motion, face);
                 let height = ghosts.crest.as_ref().map_or(spacing, |crest| {
                     crest.below([ghosts.target_x[face], ghosts.target_y[face]], spacing)
                 });

@@ -108,10 +108,11 @@ impl Scheme for Wcsph {
         self.exchange.face_force(self.pairs.path, &self.ghosts, body, &motion, fluid)
     }
 
-    /// From the means at the mirror points of the body's ghosts.
     fn face_pressures(&mut self, body: usize, motion: &BodyMotion, pressures: &mut Vec<f64>) {
         let motion = BodyMotion { offset: self.held_bodies[body].offset, ..*motion };
-        self.exchange.face_pressures(&self.ghosts, body, &motion, pressures);
+        let fluid = self.work.water(&self.records[..self.fluid.padded_len()], false);
+        let body = (body, &motion);
+        self.exchange.face_pressures(self.pairs.path, &self.ghosts, body, fluid, pressures);
     }
 
     fn can_be_kept(&self) -> bool {
