@@ -60,3 +60,16 @@ fn runup_at_a_thickness_does_not_hang_on_the_spacing() {
     println!("R {coarse} and {fine} h");
     assert!((coarse / fine - 1.0).abs() < 0.06, "{coarse} and {fine}");
 }
+
+/// The story: as the ridge before the wall ran dry, the runup fell from 0.6 to 0.1 h in one step, with water at the wall.
+#[test]
+fn runup_stays_at_the_wall_as_a_ridge_before_it_runs_dry() {
+    let scene = "tank_length_m = 3.4\nstill_water_depth_m = 0.3\nwave_height_ratio = 0.4\nend_time_s = 3.3\n\
+        bed = [[0, 0], [1, 0], [2.2, 0.34], [2.5, 0.31], [3.4, 0.31]]";
+    let history = computed(scene, &[]).history;
+    let falls = history.windows(2).map(|pair| pair[0].runup - pair[1].runup);
+    let most = falls.fold(0.0, f64::max);
+    let last = history.last().unwrap().runup;
+    println!("{most} h in {} s, {last} h in the end", history[1].time_s);
+    assert!(most < 0.2 && last > 0.3, "falls by {most} h at once, ends at {last} h");
+}

@@ -149,7 +149,7 @@ impl Exchange {
     /// is the first place from which the bed is less than half wet for [`EDGE`] points. A tongue is
     /// some one spacing thick there. None if the water reaches the wall, which has moved by
     /// `offset`, metres: a bed that ends level goes on behind the wall and is dry there. None if
-    /// the wall stands in water of its own.
+    /// the wall stands in water of its own, as at rest or behind a ridge that has run dry.
     fn shoreline(&self, ghosts: &Ghosts, offset: f64) -> Option<f64> {
         ghosts.profile.as_ref().filter(|_| !ghosts.lagoon)?;
         // If the wall has come nearer, no place before it is cut off as it is at rest.
@@ -162,6 +162,12 @@ impl Exchange {
         let heights = &ghosts.target_y[faces];
         let from = |place: usize| &wetness[place..wetness.len().min(place + EDGE)];
         let edge = (0..wetness.len()).find(|&place| from(place).iter().all(|&wet| wet < 0.5))?;
+        // Behind a ridge that has run dry, the water at the wall counts.
+        let foot = heights.last()? + 0.5 * self.rules.spacing;
+        let at_wall = from(wetness.len().saturating_sub(EDGE)).iter().all(|&wet| wet >= 0.5);
+        if at_wall && heights[edge..].iter().any(|&height| height > foot) {
+            return None;
+        }
         let Some(before) = edge.checked_sub(1) else { return Some(heights[0]) };
         let part = (wetness[before] - 0.5) / (wetness[before] - wetness[edge]);
         Some(heights[before] + part * (heights[edge] - heights[before]))
