@@ -76,6 +76,12 @@ fn lower_bounds_are_marked_and_nothing_is_filmed_twice() {
     assert!(notes.contains("1 case on 1 thread,"), "{notes}");
     let line = text.lines().find(|line| line.starts_with("X* max")).unwrap();
     assert!(line.contains("≥ ") && line.ends_with(" s, still moving at the end"), "{line}");
+    // The spring's force is that of the same instant. `show` marked it, and `run` did not.
+    let shown = ended(0, &["show", &desk.dir]).out;
+    for (told, text) in [("run", &text), ("show", &shown)] {
+        let spring = text.lines().find(|line| line.starts_with("spring F* max")).unwrap();
+        assert!(spring.contains("≥ "), "{told}: {spring}");
+    }
     let notes = ended(0, &[&command[..], &["--vtk"]].concat()).err;
     assert!(notes.contains("--vtk: nothing was written") && notes.contains("--fresh"), "{notes}");
     assert!(!desk.out.join("vtk").exists());

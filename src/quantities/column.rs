@@ -1,5 +1,6 @@
 //! A column of `summary.csv`, and how it is read.
 
+use super::summary::DISPLACEMENT_MAX;
 use super::{Case, Column, Quantity, Unit, Value, named};
 use crate::simulation::Maximum;
 
@@ -47,10 +48,11 @@ impl Column {
         self.bar.and_then(named)?.number(case)
     }
 
-    /// Whether its number in a case is only a lower bound.
+    /// Whether its number in a case is only a lower bound: the wall still moves at the end, and it
+    /// is of the instant of the largest displacement.
     pub fn is_bound(&self, case: &Case<'_>) -> bool {
         let flag = self.bound.and_then(named).and_then(|flag| flag.value(case));
-        flag == Some(Value::Flag(true))
+        flag == Some(Value::Flag(true)) && self.time(case) == DISPLACEMENT_MAX.time(case)
     }
 
     /// When a maximum was reached, seconds. An impulse of 0 has no time: there was none.

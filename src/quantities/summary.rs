@@ -55,7 +55,7 @@ quantities! { Read;
     /// largest displacement X* of the first impact
     FIRST_DISPLACEMENT_MAX = maximum("first_displacement_max", "first X*", Displacement, |c| {
         c.outcome?.first_displacement_max
-    }).of_a_single_wave();
+    }).bound("displacement_truncated").of_a_single_wave();
     /// first peak of F*: the largest so far when F* - 1 first falls 10 % below it
     FIRST_FORCE_PEAK = number("first_force_peak", "first peak, F*", Force, |c| {
         c.outcome?.first_force_peak

@@ -4,8 +4,8 @@ use crate::cli::output::{duration, short, with_bar};
 use crate::cli::table::Table;
 use crate::math::name::name_of;
 use crate::quantities::summary::{
-    ALL, COARSE_SPACING, DISPLACEMENT_MAX, DOUBTFUL_REASON, MEASURED_WAVE_HEIGHT_RATIO,
-    SEAWALL_MASS, SPRING_STIFFNESS, WAVE_HEIGHT_RATIO,
+    ALL, COARSE_SPACING, DOUBTFUL_REASON, MEASURED_WAVE_HEIGHT_RATIO, SEAWALL_MASS,
+    SPRING_STIFFNESS, WAVE_HEIGHT_RATIO,
 };
 use crate::quantities::{Bars, Case, Column, Value, energy};
 use crate::report::plain;
@@ -80,7 +80,7 @@ fn outcome_table(case: &Case<'_>) -> String {
         let time = column.time(case).map(|time| format!(" at {time:.4} s")).unwrap_or_default();
         // The wall still moves at the end: the maximum is yet to come.
         let (start, end) =
-            if is_bound(column, case) { ("≥ ", ", still moving at the end") } else { ("", "") };
+            if column.is_bound(case) { ("≥ ", ", still moving at the end") } else { ("", "") };
         let text = text.trim_end();
         Some(format!("{:<32}{start}{text}{time}{end}\n", column.heading_without_unit()))
     };
@@ -89,14 +89,6 @@ fn outcome_table(case: &Case<'_>) -> String {
     let results = results
         .filter(|column| !FIRST.contains(column) && !column.is_bar() && column.is_told(case));
     FIRST.iter().chain(results).filter_map(|column| line(column)).collect()
-}
-
-/// Whether the number is a lower bound because the wall still moves at the end. That holds for the largest displacement,
-/// and for what is computed from it.
-fn is_bound(column: &Column, case: &Case<'_>) -> bool {
-    DISPLACEMENT_MAX.is_bound(case)
-        && column.unit == DISPLACEMENT_MAX.unit
-        && column.time(case).is_some_and(|time| Some(time) == DISPLACEMENT_MAX.time(case))
 }
 
 fn readings_table(readings: &[NamedReading]) -> String {
