@@ -22,7 +22,8 @@ const STEEP: f64 = 0.46;
 /// minute energy came from nowhere, or the water sank by 1 to 5 %.
 const STIRS: f64 = 0.19;
 
-/// A longer run, in √(h/g), is long over slopes under water. The first that ended early, with
+/// A longer run, in √(h/g), is long over slopes under water, and for still water before walls that
+/// lean, which began to turn after 30 to 60. The first that ended early, with
 /// sixteen rows over slopes of 1:2, did so after 43.
 const STIRS_AFTER: f64 = 30.0;
 
@@ -108,7 +109,7 @@ impl Scene {
     pub(super) fn stirs_over_bed(&self) -> bool {
         let rise = if self.lasts(STIRS_AFTER) { STIRS } else { STEEP };
         let under = self.bed().is_some_and(|bed| bed.is_steep_under(self.frame().depth, rise));
-        under || self.stirs_at_gentle_shore()
+        under || self.stirs_at_gentle_shore() || (self.has_train() && self.has_steep_shore())
     }
 
     /// The same for water before a shore, or over a steep face that ends just under the water. The
@@ -125,6 +126,17 @@ impl Scene {
     pub(super) fn stirs_at_gentle_shore(&self) -> bool {
         let long = self.has_train() || self.lasts(STIRS_AT_GENTLE_SHORE_AFTER);
         long && self.has_shore() && !self.has_steep_shore()
+    }
+
+    /// Whether still water stands before a wall that leans, until it would begin to turn there. A
+    /// wave needs water of less viscosity.
+    pub(super) fn stirs_at_leaning_wall(&self) -> bool {
+        let (angle, still) = match self {
+            Scene::Seawall(scene) => (scene.wall_angle_deg, scene.wave_height_ratio == 0.0),
+            Scene::Hydrostatic(scene) => (scene.wall_angle_deg, true),
+            _ => return false,
+        };
+        angle != 90.0 && still && self.lasts(STIRS_AFTER)
     }
 
     /// Whether a part of its bed steeper than 1:2 ends so near the still water's surface that

@@ -100,6 +100,13 @@ impl Facts<'_> {
         self.scene().stirs_at_shore(spacing) && self.lets_stir(self.numerics.volume_feedback > 0.0)
     }
 
+    /// Whether still water before a leaning wall begins to turn, as not all that calms it is on.
+    pub fn stirs_at_leaning_wall(&self) -> bool {
+        let calmed = self.numerics.artificial_viscosity >= 0.3
+            && !self.lets_stir(self.numerics.volume_feedback > 0.0);
+        self.scene().stirs_at_leaning_wall() && !(self.weakly && calmed)
+    }
+
     /// Whether its wave comes back to the wall before the run ends.
     pub fn hits_again(&self) -> bool {
         self.scene().hits_again() && !self.numerics.stop_when_settled

@@ -73,6 +73,12 @@ const LIMITS: &[Limit] = &[
          kept the budget of fifty periods within 1.5 %",
     ),
     (
+        |case| case.stirs_at_leaning_wall(),
+        "still water before a wall that leans, for more than 30 √(h/g): it begins to turn, and sinks by some hundredths \
+         of its depth; the preset default calms it by artificial_viscosity = 0.3, shifting = \"deep\" and \
+         volume_feedback = 0.01",
+    ),
+    (
         |case| {
             let leans = case.angle != 90.0;
             leans && case.hits_again() && case.boundary(BoundaryChoice::ImprovedShepard)

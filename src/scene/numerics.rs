@@ -126,7 +126,8 @@ section! {
         density_diffusion_coefficient: f64 = 0.1, weakly(plain().within(0.0, 1.0))
             .read_where("density_diffusion", &["renormalised", "hydrostatic", "molteni"]).label("δ");
         /// α of Huang et al. 2019, Eq. 5. By default 0.1 with 4 spacings, and 0.09 for solitary waves at
-        /// upright walls over beds no steeper than 1:2.
+        /// upright walls over beds no steeper than 1:2. Still water before a wall that leans has 0.3 in runs of more than
+        /// 30 √(h/g).
         artificial_viscosity: f64 = 0.08, plain().within(0.0, 1.0).label("viscosity");
         /// Artificial viscosity acts only on pairs that lose energy by it. Trains, standing waves, and solitary waves at
         /// upright walls over beds no steeper than 1:2, have it off by default.
@@ -149,14 +150,15 @@ section! {
         volume_feedback: f64 = 0.0, plain().within(0.0, 0.02).newer();
         /// The bed gives back to the water what work its pressure does, so no energy is made or lost there. Beds that
         /// are steeper than 1:2 somewhere under still water have it by default, and in runs of more than 30 √(h/g) those
-        /// from 1:5 on. So have shores no steeper than 1:2, for trains and in runs of more than 200 √(h/g). A level
-        /// bed does not read it.
+        /// from 1:5 on. Stretches that come out of the water do not count for that. Shores have it for trains, and those
+        /// no steeper than 1:2 in runs of more than 200 √(h/g). A level bed does not read it.
         conservative_bed: bool = false, weakly(plain()).newer();
         /// A wall that ends in a crest gives back what work its pressure does while water is at the crest, and what is
         /// behind it does so all the time. Walls with a crest have it by default. Others do not read it.
         conservative_crest: bool = false, weakly(plain()).newer();
         /// How long the water is let come to rest before the clock starts, slowed down over a sixth of that time. Beds that
-        /// come out of the still water have 40 √(h/g) by default. It is for seawalls.
+        /// come out of the still water have 40 √(h/g) by default. So has still water before a wall that leans, in runs of
+        /// more than 30 √(h/g). It is for seawalls.
         relaxation_time_s: f64 = 0.0, weakly(unit("s").within(0.0, 1e4)).newer();
         /// Water near the surface gives up what it presses by more than 5 ρgh, as the surface lets go of
         /// sound. Solitary waves above H/h = 0.7 at upright walls over beds no steeper than 1:2 have it by

@@ -211,7 +211,15 @@ impl Numerics {
             self.shifting = Shifting::Deep;
             self.volume_feedback = 0.002;
         }
-        if scene.has_shore() {
+        let calms = scene.stirs_at_leaning_wall();
+        if calms {
+            // In the corners water would begin to turn, and sink.
+            self.boundary = BoundaryChoice::Normalized;
+            self.artificial_viscosity = 0.3;
+            self.shifting = Shifting::Deep;
+            self.volume_feedback = 0.01;
+        }
+        if scene.has_shore() || (calms && scene.seawall().is_some()) {
             let Frame { depth, gravity, .. } = scene.frame();
             self.relaxation_time_s = RELAXES_OVER * (depth / gravity).sqrt();
         }
