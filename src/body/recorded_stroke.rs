@@ -1,13 +1,14 @@
 //! A paddle that plays a stroke from a file.
 
 mod file;
+mod shape;
 
 use serde::{Deserialize, Deserializer, Serialize, de};
 
 use self::file::rows;
+use self::shape::{hole, turns, widest};
 use super::{BodyMotion, PaddleLaw};
 use crate::keys::{Shared, section};
-use crate::math::lists::median;
 
 section! {
     /// The keys of a recorded stroke.
@@ -19,13 +20,6 @@ section! {
     }
 }
 
-/// A gap in a record is this many times the median distance in time of its points ...
-const HOLE: f64 = 5.0;
-/// ... and the stroke moves across it by more than this share of its reach.
-const UNSEEN: f64 = 0.02;
-
-/// A swing back or forth counts from this share of the way between the stroke's outermost points.
-const SWING: f64 = 0.1;
 /// A stroke that turns so often makes one wave after another.
 const TURNS: usize = 3;
 
@@ -141,13 +135,7 @@ impl Stroke {
     /// The two points beside the widest gap across which the stroke moves, and the median distance
     /// in time of its points, s.
     pub fn hole(&self) -> Option<([[f64; 2]; 2], f64)> {
-        let pairs = self.0.points.windows(2).map(|pair| [pair[0], pair[1]]);
-        let wide = |[before, after]: &[[f64; 2]; 2]| after[0] - before[0];
-        let usual = median(&pairs.clone().map(|pair| wide(&pair)).collect::<Vec<_>>())?;
-        let moves =
-            |[before, after]: &[[f64; 2]; 2]| (after[1] - before[1]).abs() > UNSEEN * self.reach();
-        let holes = pairs.filter(|pair| wide(pair) > HOLE * usual && moves(pair));
-        Some((holes.max_by(|a, b| wide(a).total_cmp(&wide(b)))?, usual))
+        hole(&self.0.points, self.reach())
     }
 }
 
@@ -161,34 +149,6 @@ pub struct RecordedStroke {
     /// How far it goes back (zero or less) and forth, metres. Between points it may go farther than
     /// they do.
     range: [f64; 2],
-}
-
-/// The least and the largest of places, the start among them.
-fn widest(places: impl Iterator<Item = f64>) -> [f64; 2] {
-    places.fold([0.0; 2], |[back, forth], at| [back.min(at), forth.max(at)])
-}
-
-/// How often a stroke turns back, small swings aside.
-fn turns(points: &[[f64; 2]]) -> usize {
-    let [low, high] = widest(points.iter().map(|point| point[1] - points[0][1]));
-    let swing = SWING * (high - low);
-    // How far it was back and forth since it turned.
-    let [mut back, mut forth] = [points[0][1]; 2];
-    let (mut turns, mut forward) = (0, None);
-    for &[_, at] in points {
-        (back, forth) = (back.min(at), forth.max(at));
-        let turned = match forward {
-            Some(true) => at < forth - swing,
-            Some(false) => at > back + swing,
-            None => forth - back > swing,
-        };
-        if turned {
-            turns += usize::from(forward.is_some());
-            forward = Some(forward.map_or(at == forth, |before: bool| !before));
-            (back, forth) = (at, at);
-        }
-    }
-    turns
 }
 
 impl RecordedStroke {
