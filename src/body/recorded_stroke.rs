@@ -6,7 +6,7 @@ mod shape;
 use serde::{Deserialize, Deserializer, Serialize, de};
 
 use self::file::rows;
-use self::shape::{hole, turns, widest};
+use self::shape::{hole, sets_off, turns, widest};
 use super::{BodyMotion, PaddleLaw};
 use crate::keys::{Shared, section};
 
@@ -111,6 +111,11 @@ impl Stroke {
     pub fn reach(&self) -> f64 {
         let [back, forth] = self.0.range;
         forth.max(-back)
+    }
+
+    /// When the paddle has gone a tenth of its reach, seconds; none if it stands still.
+    pub fn sets_off_s(&self) -> Option<f64> {
+        sets_off(&self.0.points, self.reach())
     }
 
     /// How much farther than the points the spline goes, back or forth, metres.

@@ -89,6 +89,12 @@ impl WaveTrain {
         std::f64::consts::TAU / self.wavenumber
     }
 
+    /// Speed of their energy on water of this depth, metres: ω/k (1 + 2kh/sinh 2kh)/2, m/s.
+    pub fn group_velocity(&self, depth: f64) -> f64 {
+        let twice = 2.0 * self.wavenumber * depth;
+        0.5 * self.frequency / self.wavenumber * (1.0 + twice / libm::sinh(twice))
+    }
+
     /// Height over length of waves of H/h on water of this depth, metres, and the value at which
     /// they break: 0.142 tanh kh (Miche 1944).
     pub fn steepness(&self, wave_height_ratio: f64, depth: f64) -> [f64; 2] {

@@ -1,9 +1,11 @@
 //! Values that are allowed but probably not intended: warnings, each with its key.
 
+mod early;
 mod probes;
 
+use early::early;
+
 use super::config::CaseConfig;
-use super::contract::SceneOfKind;
 use super::kind::Scene;
 use super::loose_wall::{self, FARTHEST_WALL};
 use super::numerics::Numerics;
@@ -103,29 +105,6 @@ fn end(config: &CaseConfig) -> Option<ConfigError> {
         || format!("the case ends before its second step of {step:.1e} s: nothing will happen");
     (end - config.scene.start_s() < FEWEST_STEPS * step)
         .then(|| warning("end_time_s", end, told()))
-        .flatten()
-}
-
-/// The run ends before the wave is at the wall.
-fn early(scene: &SeawallScene) -> Option<ConfigError> {
-    let (frame, paddle) = (scene.frame(), scene.paddle()?);
-    let centre = paddle.stroke_centre()?;
-    let way = scene.crest_may_pass(frame.length)? - centre;
-    let seen = match scene.end_time_s {
-        // It has precedence over the other key.
-        Some(_) => format!("end_time_s = {:.1}", centre + 2.0 * way),
-        None => format!("end_after_stroke_centre_s = {:.1}", 2.0 * way),
-    };
-    let told = || {
-        format!(
-            "the run ends at {:.3} s, before the crest can be at the wall, at {:.3} s; with {seen} the run shows what it \
-         does there",
-            frame.end_time,
-            centre + way,
-        )
-    };
-    (frame.end_time < centre + way)
-        .then(|| warning("tank_length_m", frame.length, told()))
         .flatten()
 }
 

@@ -7,6 +7,9 @@ const HOLE: f64 = 5.0;
 /// ... and the stroke moves across it by more than this share of its reach.
 const UNSEEN: f64 = 0.02;
 
+/// The paddle has set off once it has gone this share of its reach.
+const SETS_OFF: f64 = 0.1;
+
 /// A swing back or forth counts from this share of the way between the stroke's outermost points.
 const SWING: f64 = 0.1;
 
@@ -36,6 +39,12 @@ pub(super) fn turns(points: &[[f64; 2]]) -> usize {
         }
     }
     turns
+}
+
+/// When a point first lies more than a tenth of the reach, metres, from the first one, seconds.
+pub(super) fn sets_off(points: &[[f64; 2]], reach: f64) -> Option<f64> {
+    let away = |point: &&[f64; 2]| (point[1] - points[0][1]).abs() > SETS_OFF * reach;
+    points.iter().find(away).map(|point| point[0])
 }
 
 /// The two points beside the widest gap across which the stroke moves, and the median distance in

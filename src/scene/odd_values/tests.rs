@@ -54,7 +54,7 @@ fn slips_are_told_with_key_and_value() {
         ("history_interval_s = 1e-9", "scene.history_interval_s = 0.000000001: is much shorter"),
         ("history_interval_s = 100", "scene.history_interval_s = 100: is as long as the run, 3."),
         (
-            "paddle = \"wave-train\"\nwave_period_s = 0.3\nend_time_s = 5",
+            "paddle = \"wave-train\"\nwave_period_s = 0.3\nend_time_s = 15",
             "scene.wave_period_s = 0.3: waves of wave_height_ratio = 0.5 would be 0.712 of",
         ),
         (
@@ -148,4 +148,46 @@ fn a_probe_in_a_wall_or_in_the_paddles_way_is_told() {
     assert_eq!(odd_with("", &level(0.33)), [""; 0]);
     let passed = "probe.x_m = 0.32: P stands where the paddle goes, up to 0.326 m into the tank";
     assert!(odd_with("", &level(0.32))[0].starts_with(passed));
+}
+
+/// The story: a train in a tank of 12 m ran for 5 s and never reached its wall. Nothing was said, and
+/// the wall had felt still water alone.
+#[test]
+fn a_train_that_ends_before_the_wall_is_told() {
+    let train = |length: f64, end: f64| {
+        odd(&format!(
+            "tank_length_m = {length}\npaddle = \"wave-train\"\nwave_period_s = 1\nwave_height_ratio = 0.1\n\
+             end_time_s = {end}"
+        ))
+    };
+    assert_eq!(train(2.5, 5.0), [""; 0]);
+    let told = train(12.0, 5.0);
+    let starts = "scene.tank_length_m = 12: the run ends at 5.000 s, before the train can be at the wall, at 13.";
+    assert!(told.len() == 1 && told[0].starts_with(starts), "{told:?}");
+    assert!(told[0].contains("; with end_time_s = 2"), "{told:?}");
+    assert_eq!(train(12.0, 15.0), [""; 0]);
+}
+
+/// A file with a stroke, and the scene that plays it for so many seconds.
+fn played(points: &str, end: f64) -> (tempfile::TempDir, String) {
+    let root = tempfile::tempdir().unwrap();
+    let path = root.path().join("stroke.csv");
+    std::fs::write(&path, format!("time_s,stroke_m\n{points}")).unwrap();
+    let scene = format!(
+        "paddle = \"recorded-stroke\"\nrecorded_stroke = {:?}\nwave_height_ratio = 0.1\nend_time_s = {end}",
+        path.to_str().unwrap()
+    );
+    (root, scene)
+}
+
+/// The story: a record that is quiet at first ended before its wave was at the wall, without a word.
+#[test]
+fn a_record_that_ends_before_the_wall_is_told() {
+    let quiet = "0,0\n1,0\n2,0\n2.2,0.008\n2.4,0.035\n2.6,0.065\n2.8,0.09\n3,0.1\n";
+    let (_root, scene) = played(quiet, 4.0);
+    let told = odd(&scene);
+    let starts = "scene.tank_length_m = 2.5: the run ends at 4.000 s, before the wave can be at the wall, at 4.0";
+    assert!(told.len() == 1 && told[0].starts_with(starts), "{told:?}");
+    let (_root, scene) = played(quiet, 5.0);
+    assert_eq!(odd(&scene), [""; 0]);
 }
