@@ -6,12 +6,17 @@ use crate::scene::seawall::{SeawallScene, WallChoice};
 
 /// Sums of decimals have smaller errors than this, metres.
 const ROUNDING: f64 = 1e-9;
+/// A paddle that goes back or forth by less than this, in depths, hardly does so.
+const LEAST_WAY: f64 = 2e-3;
 
 /// The first of each kind: one with a wrong height, and one with a wrong place along the tank.
 pub(super) fn odd(scene: &SeawallScene, probes: &[Probe]) -> [Option<ConfigError>; 2] {
     [
         buried(scene, probes).or_else(|| walled_in(scene, probes)),
-        outside(scene, probes).or_else(|| passed(scene, probes)),
+        outside(scene, probes)
+            .or_else(|| passed(scene, probes))
+            .or_else(|| uncounted(scene, probes))
+            .or_else(|| roofed(scene, probes)),
     ]
 }
 
@@ -47,13 +52,55 @@ fn walled_in(scene: &SeawallScene, probes: &[Probe]) -> Option<ConfigError> {
     Some(ConfigError::new("probe.y_m", probe.y_m?, told))
 }
 
-/// Where a paddle has passed there is no water.
+/// Where a paddle has passed there is no water. A volume is that of all water beyond.
 fn passed(scene: &SeawallScene, probes: &[Probe]) -> Option<ConfigError> {
-    probes.first()?;
+    let mut at_places = probes.iter().filter(|probe| probe.kind != ProbeKind::Volume).peekable();
+    at_places.peek()?;
     let stroke = scene.paddle()?.goes_forth();
-    let (probe, x) = probes.iter().find_map(|it| Some((it, it.x_m.filter(|x| *x < stroke)?)))?;
+    if stroke < LEAST_WAY * scene.still_water_depth_m {
+        return None;
+    }
+    let (probe, x) = at_places.find_map(|it| Some((it, it.x_m.filter(|x| *x < stroke)?)))?;
     let told = format!(
         "{} stands where the paddle goes, up to {stroke:.3} m into the tank: once that has passed, no water is there",
+        probe.name
+    );
+    Some(ConfigError::new("probe.x_m", x, told))
+}
+
+/// A volume from x = 0 on is meant to be that of all water, of which some follows a paddle back.
+fn uncounted(scene: &SeawallScene, probes: &[Probe]) -> Option<ConfigError> {
+    let whole = |probe: &&Probe| probe.kind == ProbeKind::Volume && probe.x_m == Some(0.0);
+    let probe = probes.iter().find(whole)?;
+    let back = scene.paddle()?.goes_back();
+    let how = if back >= LEAST_WAY * scene.still_water_depth_m {
+        format!("up to {back:.3} m back from there")
+    } else if scene.absorption {
+        "back from there as it absorbs waves".to_owned()
+    } else {
+        return None;
+    };
+    let told = format!(
+        "{} counts water from x = 0 on, and the paddle goes {how}: water behind x = 0 is not counted",
+        probe.name
+    );
+    Some(ConfigError::new("probe.x_m", 0.0, told))
+}
+
+/// Under a wall that leans over the water a gauge reads at most the wall's face.
+fn roofed(scene: &SeawallScene, probes: &[Probe]) -> Option<ConfigError> {
+    if scene.wall_angle_deg >= 90.0 {
+        return None;
+    }
+    let tan = libm::tan(scene.wall_angle_deg.to_radians());
+    let edge = scene.tank_length_m - scene.still_water_depth_m / tan;
+    let gauges =
+        probes.iter().filter(|probe| matches!(probe.kind, ProbeKind::Level | ProbeKind::Elevation));
+    let mut gauges = gauges.filter_map(|it| Some((it, it.x_m?)));
+    let (probe, x) = gauges.find(|(_, x)| *x > edge + ROUNDING)?;
+    let told = format!(
+        "{} stands under the wall, which leans over the water: from {edge:.3} m on still water reaches its face, and a gauge \
+         reads the face, whatever the water does",
         probe.name
     );
     Some(ConfigError::new("probe.x_m", x, told))

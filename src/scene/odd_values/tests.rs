@@ -191,3 +191,38 @@ fn a_record_that_ends_before_the_wall_is_told() {
     let (_root, scene) = played(quiet, 5.0);
     assert_eq!(odd(&scene), [""; 0]);
 }
+
+/// The story: a volume of all the water was warned of as dry, and so was a gauge at a paddle that
+/// only draws back. What such a volume does miss was not told.
+#[test]
+fn a_volume_misses_what_follows_the_paddle_back_and_nothing_else() {
+    let volume = "kind = \"volume\"\nx_m = 0";
+    assert_eq!(odd_with("", volume), [""; 0]);
+    assert_eq!(odd_with("", &volume.replace("= 0", "= 0.1")), [""; 0]);
+    assert!(
+        odd_with("", "kind = \"discharge\"\nx_m = 0")[0].contains("stands where the paddle goes")
+    );
+    let (_root, scene) = played("0,0\n1,-0.05\n2,-0.1\n", 5.0);
+    assert_eq!(odd_with(&scene, "kind = \"level\"\nx_m = 0"), [""; 0]);
+    let missed = "probe.x_m = 0: P counts water from x = 0 on, and the paddle goes up to 0.100 m back from there";
+    let told = odd_with(&scene, volume);
+    assert!(told.len() == 1 && told[0].starts_with(missed), "{told:?}");
+    assert_eq!(odd_with(&scene, &volume.replace("= 0", "= 0.1")), [""; 0]);
+}
+
+/// The story: a gauge under a wall that leans over the water read its face all the time.
+#[test]
+fn a_gauge_under_a_wall_is_told() {
+    let told = |kind: &str, x: f64| {
+        odd_with("wall_angle_deg = 60", &format!("kind = \"{kind}\"\nx_m = {x}"))
+    };
+    let under =
+        "probe.x_m = 2.4: P stands under the wall, which leans over the water: from 2.385 m on";
+    for kind in ["level", "elevation"] {
+        assert_eq!(told(kind, 2.38), [""; 0], "{kind}");
+        let told = told(kind, 2.4);
+        assert!(told.len() == 1 && told[0].starts_with(under), "{told:?}");
+    }
+    assert_eq!(told("volume", 2.4), [""; 0]);
+    assert_eq!(odd_with("wall_angle_deg = 110", "kind = \"level\"\nx_m = 2.49"), [""; 0]);
+}
