@@ -44,6 +44,7 @@ mod water;
 
 pub use config::CaseConfig;
 pub use contract::Walls;
+pub use crest::Behind;
 pub use declared::{
     Place, numerics_keys, place_of, probe_keys, scene_keys, takes_whole, unknown_keys,
 };

@@ -30,7 +30,8 @@ pub enum ProbeKind {
     /// The largest void at a wall: what the water leaves empty of the kernel's support around the
     /// emptiest point of the wetted face, as a share of what the walls leave of it.
     Void,
-    /// Volume of the water beyond an upright section per metre of width, m².
+    /// Volume of the water beyond an upright section per metre of width, m². Water that an outflow took
+    /// away counts.
     Volume,
     /// Discharge through an upright section per metre of width, m²/s.
     Discharge,
@@ -55,7 +56,7 @@ section! {
         /// still water, m. Where there is no water both are the ground, and under a wall that leans over the water at
         /// most its face. `void`: the largest share of the kernel that water leaves empty at a wall, from its toe
         /// to a support radius below the highest contact (0.5 at a free surface). `volume`: of all water beyond an
-        /// upright section, m². `discharge`: through such a section, m²/s.
+        /// upright section, m², also of what an outflow took away. `discharge`: through such a section, m²/s.
         kind: ProbeKind, plain();
         /// The wall that a pressure probe sits in and moves with, or that is searched for voids.
         wall: Option<Side> = None, plain();

@@ -4,14 +4,21 @@ use super::named_readings::{ProbeColumn, ProbeTable};
 use super::overtopping;
 use super::sounding::Sounding;
 use crate::body::Place;
-use crate::scene::{CaseConfig, Probe, ProbeKind, Side};
+use crate::scene::{Behind, CaseConfig, Probe, ProbeKind, Side};
+
+/// What the method of a volume adds where water is taken away.
+const WITH_TAKEN: &str = "; with the water that the outflow took away";
 
 /// A column for every probe of a case, and those of its crest if it has one.
 pub fn probe_columns(config: &CaseConfig) -> Vec<ProbeColumn> {
+    let takes_away = config.scene.seawall().is_some_and(|scene| scene.behind == Behind::Outflow);
     let of_probe = |probe: &Probe| ProbeColumn {
         name: probe.name.clone(),
         unit: probe.unit().to_owned(),
-        method: probe.method(),
+        method: match probe.kind {
+            ProbeKind::Volume if takes_away => probe.method() + WITH_TAKEN,
+            _ => probe.method(),
+        },
     };
     let crest = config.scene.seawall().is_some_and(|scene| scene.crest.is_some());
     let of_crest = crest.then(overtopping::columns);
@@ -64,4 +71,25 @@ fn face(probe: &Probe, water: &Sounding<'_>) -> ([f64; 2], [f64; 2]) {
     });
     let [nx, ny] = face.normal;
     (face.point, [-ny * nx.signum(), nx.abs()])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The story: a volume beyond a section held the water that an outflow had taken away, and
+    /// nothing said so.
+    #[test]
+    fn a_volume_says_that_it_counts_what_was_taken_away() {
+        let method = |scene: &str| {
+            let probe = "name = \"V\"\nkind = \"volume\"\nx_m = 1".parse().unwrap();
+            let (scene, numerics) = (scene.parse().unwrap(), toml::Table::new());
+            let config = CaseConfig::with_probes(&scene, &numerics, &[probe]).unwrap();
+            probe_columns(&config).remove(0).method
+        };
+        let beyond = "mass beyond x = 1 m over the density";
+        assert_eq!(method(""), beyond);
+        let outflow = "behind = \"outflow\"\ncrest_freeboard_m = 0.1\ncrest_width_m = 0.2";
+        assert_eq!(method(outflow), format!("{beyond}{WITH_TAKEN}"));
+    }
 }
