@@ -6,6 +6,8 @@ use crate::theory::hydrostatics::wall_force;
 
 /// Fewer rows of particles over the depth are coarse.
 const ROWS: f64 = 10.0;
+/// Quotients of decimals have smaller errors than this.
+const ROUNDING: f64 = 1e-9;
 
 /// What `coarse_spacing` says of several cases: the sentence of one, with the rows of all.
 pub fn coarse_spacings<'a>(told: impl IntoIterator<Item = &'a str>) -> Option<String> {
@@ -86,10 +88,13 @@ impl Case<'_> {
         let depth = scene.least_depth_m();
         let rows = depth / self.config.numerics.particle_spacing_m;
         let place = if depth < scene.still_water_depth_m { " at the wall" } else { "" };
-        (rows < ROWS - 1e-9).then(|| {
+        let bars = if self.bars == Bars::default() { "" } else { "; one bar in four may miss" };
+        (rows < ROWS - ROUNDING).then(|| {
+            // Rounded down: 9.97 rows are not 10.0.
+            let rows = (10.0 * (rows + ROUNDING)).floor() / 10.0;
             format!(
                 "{rows:.1} rows over the depth{place}; below {ROWS}, forces are up to 3 %, displacements 9 % off, runups \
-                 0.25 h low; one bar in four may miss"
+                 0.25 h low{bars}"
             )
         })
     }
@@ -133,20 +138,36 @@ mod tests {
     #[test]
     fn coarse_cases_are_told_with_the_rows_of_all() {
         let rows =
-            ["8.0 rows over the depth", "10.0 rows over the depth", "6.7 rows over the depth"];
-        assert_eq!(coarse_spacings(rows).unwrap(), "6.7 to 10.0 rows over the depth");
+            ["8.0 rows over the depth", "9.9 rows over the depth", "6.7 rows over the depth"];
+        assert_eq!(coarse_spacings(rows).unwrap(), "6.7 to 9.9 rows over the depth");
         assert_eq!(coarse_spacings([rows[0], rows[0]]).unwrap(), rows[0]);
         assert_eq!(coarse_spacings([]), None);
+    }
+
+    fn coarse(scene: &str, spacing: f64, bars: Bars) -> Option<String> {
+        let config = &CaseConfig::of(scene, &format!("particle_spacing_m = {spacing}"));
+        let id = String::new();
+        Case { id, config, outcome: None, reason: "", bars, wall_time_s: 0.0 }.coarse_spacing()
+    }
+
+    /// The story: 9.97 rows were told as "10.0 rows over the depth; below 10", and a case without
+    /// error bars was told that one in four may miss.
+    #[test]
+    fn rows_are_rounded_down_and_bars_are_told_where_there_are_some() {
+        let told = |spacing: f64| coarse("", spacing, Bars::default()).unwrap();
+        assert!(told(0.02006).starts_with("9.9 rows over the depth; below 10, "));
+        assert!(told(0.025).starts_with("8.0 rows ") && told(0.03).starts_with("6.6 rows "));
+        assert_eq!(coarse("", 0.02, Bars::default()), None);
+        assert!(told(0.025).ends_with("runups 0.25 h low"), "{}", told(0.025));
+        let bars = Bars { force: Some(0.1), ..Bars::default() };
+        let told = coarse("", 0.025, bars).unwrap();
+        assert!(told.ends_with("runups 0.25 h low; one bar in four may miss"), "{told}");
     }
 
     #[test]
     fn rows_count_where_the_water_is_shallow() {
         let told = |bed: &str| {
-            let scene = format!("still_water_depth_m = 0.2\nbed = {bed}");
-            let config = &CaseConfig::of(&scene, "particle_spacing_m = 0.02");
-            let (id, bars) = (String::new(), Bars::default());
-            let case = Case { id, config, outcome: None, reason: "", bars, wall_time_s: 0.0 };
-            case.coarse_spacing()
+            coarse(&format!("still_water_depth_m = 0.2\nbed = {bed}"), 0.02, Bars::default())
         };
         let step = told("[[0, 0], [1.5, 0], [1.5, 0.06], [2.5, 0.06]]").unwrap();
         assert!(step.starts_with("7.0 rows over the depth at the wall; below 10, "), "{step}");
