@@ -168,6 +168,25 @@ fn coarse_particles_have_a_sentence_of_their_own_and_no_doubt() {
     }
 }
 
+/// The story: `check` alone told of known limits. Who ran a file at once never heard that its preset
+/// reads forces a fifth too high.
+#[test]
+fn known_limits_are_told_by_run_and_sweep() {
+    let scene = TINY.split("[grid]").next().unwrap().replace("wall = \"movable\"\n", "");
+    let scene = Desk::new(&scene.replace("= 0.8", "= 0.1").replace("= 0.025", "= 0.05"));
+    let preset = ["--set", "numerics.preset=huang2019"];
+    let told = scene.run(&preset).err;
+    let limit = "known limit, 1 case: waves at a wall without corrected_gradients: ";
+    assert!(told.contains(limit) && told.contains("the moment 23 % high"), "{told}");
+    assert_eq!(told.matches(limit).count(), 1, "{told}");
+    let quiet = scene.run(&[&preset[..], &["--fresh", "--quiet"]].concat()).err;
+    assert!(!quiet.contains("known limit"), "{quiet}");
+    let desk = Desk::new(&TINY.replace("= 0.8", "= 0.1").replace("= 0.025", "= 0.05"));
+    let told = desk.sweep(&["--film", "none"]).err;
+    let limit = "known limit, 8 cases: fewer than 10 particles over the depth";
+    assert_eq!(told.matches(limit).count(), 1, "{told}");
+}
+
 #[test]
 fn a_directory_that_cannot_be_written_is_bad_input() {
     let desk = Desk::new(TINY);

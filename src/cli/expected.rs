@@ -7,18 +7,14 @@ use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 
 use super::cost::{binary, estimated_time, time_of_all};
+use super::known_limits::KnownLimits;
 use super::output::duration;
 use super::physics::{Line, physics};
 use super::warnings::warnings;
 use super::{max_error, refine};
-use crate::math::lists::counts;
 use crate::math::words::counted;
-use crate::scene::limits;
 use crate::simulation::{Cost, cost};
 use crate::study::{Plan, Study};
-
-/// How many cases are looked at in one go.
-const CHUNK: usize = 4096;
 
 /// The least and the largest value among the cases.
 type Range = (u64, u64);
@@ -36,8 +32,7 @@ pub(super) struct Expected<'a> {
     /// The error that the file aims at, percent, and the longest time for it, seconds.
     aim: Option<(f64, f64)>,
     warnings: Vec<String>,
-    /// Known limits that the study reaches, with the number of cases.
-    limits: BTreeMap<&'static str, usize>,
+    limits: KnownLimits,
 }
 
 impl Expected<'_> {
@@ -62,7 +57,7 @@ impl Expected<'_> {
             cores,
             aim,
             warnings: warnings(study, time),
-            limits: known_limits(study),
+            limits: KnownLimits::of(study),
         })
     }
 
@@ -96,8 +91,8 @@ impl Expected<'_> {
         for warning in &self.warnings {
             text.push_str(&format!("\nwarning: {warning}\n"));
         }
-        for (limit, &cases) in &self.limits {
-            text.push_str(&format!("\nknown limit, {}: {limit}\n", counted(cases, "case")));
+        for limit in self.limits.lines() {
+            text.push_str(&format!("\n{limit}\n"));
         }
         text
     }
@@ -123,7 +118,7 @@ impl Expected<'_> {
         json!({
             "name": study.name,
             "physics": physics.collect::<BTreeMap<_, _>>(),
-            "warnings": warnings.chain(self.limits.keys().copied()).collect::<Vec<_>>(),
+            "warnings": warnings.chain(self.limits.texts()).collect::<Vec<_>>(),
             "refine": study.refine,
             "max_error_percent": study.max_error_percent,
             "companions": study.companions.len(),
@@ -170,16 +165,6 @@ fn ranges(study: &Study) -> [Range; 3] {
         [0, 1, 2].map(|of| (a[of].0.min(b[of].0), a[of].1.max(b[of].1)))
     };
     costs.reduce_with(wider).unwrap_or_default()
-}
-
-/// Known limits that cases reach, with the number of cases.
-fn known_limits(study: &Study) -> BTreeMap<&'static str, usize> {
-    let chunks = study.cases.par_chunks(CHUNK);
-    let chunks = chunks.map(|cases| counts(cases.iter().flat_map(|case| limits(&case.config))));
-    chunks.reduce(BTreeMap::new, |mut all, more| {
-        more.into_iter().for_each(|(limit, cases)| *all.entry(limit).or_default() += cases);
-        all
-    })
 }
 
 fn between((low, high): Range) -> String {

@@ -27,6 +27,7 @@ mod highlights;
 mod init;
 mod input;
 mod job;
+mod known_limits;
 mod made_figure;
 mod matrix;
 mod max_error;

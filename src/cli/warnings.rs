@@ -6,6 +6,7 @@ use std::path::Path;
 use rayon::prelude::*;
 
 use super::cost::time_of_all;
+use super::known_limits::KnownLimits;
 use super::output::{Output, duration};
 use crate::execute::available_cores;
 use crate::keys::named;
@@ -20,11 +21,12 @@ const CHUNK: usize = 4096;
 /// A study that takes longer than this is reported with the keys that make it long, seconds.
 const LONG_S: f64 = 86_400.0;
 
-/// Prints the warnings of a file as notes.
+/// Prints the warnings of a file and its known limits as notes.
 pub(super) fn tell(file: &Path, study: &Study, output: &Output) {
     for line in warnings(study, time_of_all(study)) {
         output.note(format_args!("warning: {}: {line}", named(file)));
     }
+    KnownLimits::of(study).tell(output);
 }
 
 /// The odd values of some cases.
