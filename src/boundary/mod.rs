@@ -53,7 +53,7 @@ pub use give_back::Gives;
 pub use image::Image;
 pub use layout::{CrestShape, FloorBehind, TankLayout};
 pub use plane::Plane;
-pub use profile::{Profile, STEEP, Stretch};
+pub use profile::{IN_METRES, Profile, STEEP, Stretch};
 pub use rules::{ExchangeRules, GhostGravity};
 pub use sfdi::SfdiMatrix;
 pub use sums::Water;

@@ -11,6 +11,9 @@ pub use stretch::{STEEP, Stretch, WALL, ends_low, turn};
 /// Shorter stretches, metres, are not allowed.
 const SHORTEST: f64 = 1e-9;
 
+/// What one asks whose bed goes elsewhere than its tank.
+pub const IN_METRES: &str = "are its points [x, y] in this order, and in metres?";
+
 /// Points of a bed, metres, from the paddle to the wall. x never decreases, and two points at the
 /// same x make a step. Before its first point and behind its last one the bed is level.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -42,7 +45,7 @@ impl Profile {
         for pair in points.windows(2) {
             let [[x0, y0], [x1, y1]] = [pair[0], pair[1]];
             if x1 < x0 {
-                return Err(format!("goes back from x = {x0} m to {x1} m"));
+                return Err(format!("goes back from x = {x0} m to {x1} m: {IN_METRES}"));
             }
             if (x1 - x0).hypot(y1 - y0) < SHORTEST {
                 return Err(format!("has the point [{x0}, {y0}] twice"));

@@ -3,9 +3,12 @@
 use super::numerics::{Numerics, Scheme};
 use super::seawall::{SeawallScene, error};
 use super::seawall_demands::DIGITS;
-use crate::boundary::{Profile, STEEP};
+use crate::boundary::{IN_METRES, Profile, STEEP};
 use crate::keys::ConfigError;
 use crate::math::decimal::rounded_up;
+
+/// A bed that ends so many times farther or nearer than the tank was hardly meant so.
+const FAR: f64 = 2.0;
 
 impl SeawallScene {
     /// Checks the bed against wall, paddle, water and scheme.
@@ -14,6 +17,13 @@ impl SeawallScene {
         let [end, toe] = bed.end();
         if (end - self.tank_length_m).abs() > 1e-9 * self.tank_length_m {
             let allowed = format!("must be {end}, where the bed ends and the wall stands");
+            let far = !(1.0 / FAR..=FAR).contains(&(end / self.tank_length_m));
+            let asked = if far {
+                format!("; the bed's last x is {end} m: {IN_METRES}")
+            } else {
+                String::new()
+            };
+            let allowed = allowed + &asked;
             return error("tank_length_m", self.tank_length_m, &allowed);
         }
         let told = |allowed: &str| error("bed", "", allowed);

@@ -54,6 +54,8 @@ pub fn accuracy_keys() -> Vec<&'static Key> {
 const KEYS: [&str; 7] = ["name", "scene", "numerics", "probe", "accuracy", "limits", "grid"];
 /// The key that names another file.
 const STROKE: &str = "recorded_stroke";
+/// What others call probes.
+const GAUGES: [&str; 4] = ["gauge", "gauges", "sensor", "sensors"];
 /// Keys in the files of two other commands.
 const OF_A_MATRIX: [&str; 2] = ["case", "method"];
 
@@ -165,6 +167,9 @@ impl SweepFile {
 
 /// The error of a key outside its section names the path of the key.
 fn unknown_at_the_top(key: &str, file: &Table) -> ConfigError {
+    if GAUGES.contains(&key) {
+        return ConfigError::new(key, "", "unknown key; did you mean [[probe]]?");
+    }
     match table(file, "scene").and_then(|scene| place_of(key, &scene)) {
         Ok(place) => ConfigError::misplaced(key, &format!("{}.{key}", place.name())),
         Err(_) => {
