@@ -143,6 +143,8 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
     let still = "kind = \"hydrostatic\"\nend_time_s = 24\nwall_angle_deg = 60";
     let own = ["", "artificial_viscosity = 0.1", "volume_feedback = 0", "scheme = \"isph\""];
     assert_eq!(own.map(|own| count(still, own)), [0, 1, 1, 1]);
+    let trains = |angle: f64| count(&format!("{train} = 9\nwall_angle_deg = {angle}"), "");
+    assert_eq!([60.0, 70.0, 90.0, 105.0, 120.0].map(trains), [1, 1, 0, 1, 2], "trains that lean");
     let long = "kind = \"hydrostatic\"\nend_time_s = 35";
     assert_eq!(count(long, "boundary = \"mls-linear\""), 0);
     assert_eq!(count(long, "boundary = \"dummy\""), 1);
