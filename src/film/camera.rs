@@ -4,6 +4,7 @@ use std::io;
 
 use super::codec::Point;
 use super::page::PageFilm;
+use super::title::is_read;
 use super::{Camera, Colour};
 use crate::scene::{CaseConfig, SeawallScene};
 use crate::simulation::{CaseResult, Film, cost};
@@ -80,25 +81,32 @@ impl Camera for PageCamera<'_> {
     fn finish(self: Box<Self>, result: &CaseResult) -> io::Result<()> {
         let frame = self.config.scene.frame();
         let close = CLOSE * frame.unit_time();
-        let (takes, crest) = pick(self.takes, result.outcome.force_max.time_s, close);
+        let (takes, crest) = pick(self.takes, &moments(result), close);
         self.film.write(self.config, result, &takes, crest)
     }
 }
 
-/// The film's frames, and the index of the crest. Half are evenly spread over the run, half are
-/// within `close` seconds of the crest.
-fn pick(takes: Vec<Take>, crest_s: f64, close: f64) -> (Vec<Take>, usize) {
+/// When the force was largest, and then the runup and the displacement where a case has them, seconds.
+fn moments(result: &CaseResult) -> Vec<f64> {
+    let outcome = &result.outcome;
+    let runup = Some(outcome.runup_max).filter(|_| is_read(result, |row| row.runup));
+    let others = [runup, outcome.displacement_max].into_iter().flatten();
+    std::iter::once(outcome.force_max).chain(others).map(|maximum| maximum.time_s).collect()
+}
+
+/// The film's frames, and the index of the crest, which is the first of the moments. All moments
+/// have a frame. Half of the frames are evenly spread over the run, half are within `close` seconds
+/// of the crest.
+fn pick(takes: Vec<Take>, moments: &[f64], close: f64) -> (Vec<Take>, usize) {
     let (Some(first), Some(last)) = (takes.first(), takes.last()) else { return (takes, 0) };
-    let (first, last) = (first.time_s, last.time_s);
+    let (first, last, crest_s) = (first.time_s, last.time_s, moments[0]);
     let crest = nearest(&takes, crest_s);
-    let mut wanted = vec![takes[crest].time_s];
-    let spread = |from: f64, to: f64| {
-        let share = move |k: usize| k as f64 / (FRAMES / 2 - 1) as f64;
-        (0..FRAMES / 2).map(move |k| from + share(k) * (to - from))
+    let spread = |from: f64, to: f64, count: usize| {
+        (0..count).map(move |k| from + k as f64 / (count - 1) as f64 * (to - from))
     };
-    wanted.extend(spread(first, last).take(FRAMES / 2 - 2));
-    wanted.push(last);
-    wanted.extend(spread((crest_s - close).max(first), (crest_s + close).min(last)));
+    let mut wanted = moments.to_vec();
+    wanted.extend(spread(first, last, FRAMES / 2 - moments.len()));
+    wanted.extend(spread((crest_s - close).max(first), (crest_s + close).min(last), FRAMES / 2));
     let chosen: std::collections::BTreeSet<usize> =
         wanted.into_iter().map(|time| nearest(&takes, time)).collect();
     let place = chosen.iter().position(|&at| at == crest).unwrap_or(0);
@@ -118,18 +126,46 @@ pub(super) fn nearest(takes: &[Take], time: f64) -> usize {
 mod tests {
     use super::*;
     use crate::pairs::Fluid;
+    use crate::results::made_up;
+    use crate::study::CaseId;
 
     #[test]
     fn a_film_has_sixty_frames_and_half_of_them_at_the_crest() {
         let take = |k: i32| Take { time_s: 0.0125 * f64::from(k), walls: [0.0; 2], points: vec![] };
-        let (picked, crest) = pick((0..480).map(take).collect(), 4.0, 0.5);
+        let (picked, crest) = pick((0..480).map(take).collect(), &[4.0], 0.5);
         assert!((50..=FRAMES).contains(&picked.len()), "{}", picked.len());
         assert_eq!(picked[crest].time_s, 4.0);
         assert_eq!((picked[0].time_s, picked[picked.len() - 1].time_s), (0.0, 479.0 * 0.0125));
         let at_crest = picked.iter().filter(|take| (take.time_s - 4.0).abs() <= 0.51).count();
         assert!((30..=36).contains(&at_crest), "{at_crest}");
-        let (few, crest) = pick((0..7).map(take).collect(), 0.04, 0.5);
+        let (few, crest) = pick((0..7).map(take).collect(), &[0.04], 0.5);
         assert_eq!((few.len(), crest), (7, 3));
+    }
+
+    /// The story: in a long train the still of the highest runup, R* = 0.45, was of a frame 0.2 s
+    /// away, where the water stood at R* = 0.06.
+    #[test]
+    fn stills_show_their_own_moments() {
+        let root = tempfile::tempdir().unwrap();
+        let film = PageFilm { colour: Colour::Speed, folder: root.path().to_owned() };
+        let config = CaseConfig::of("wall = \"movable\"\nspring_stiffness_n_per_m = 500", "");
+        let mut camera = PageCamera::new(&film, &config);
+        let take = |k: i32| {
+            let time_s = 0.1 * f64::from(k);
+            let out = 0.05 - 0.01 * (time_s - 11.3).abs().min(4.0);
+            Take { time_s, walls: [0.0, out], points: vec![[0.0; 3]] }
+        };
+        camera.takes = (0..480).map(take).collect();
+        let mut result = made_up(&config);
+        result.outcome.force_max.time_s = 30.0;
+        result.outcome.runup_max.time_s = 7.6;
+        result.outcome.displacement_max.as_mut().unwrap().time_s = 11.3;
+        Box::new(camera).finish(&result).unwrap();
+        let stills =
+            film.files(CaseId::of(&config)).map(std::fs::read_to_string).map(Result::unwrap);
+        for (still, time) in stills.iter().zip(["11.30", "7.60", "30.00"]) {
+            assert!(still.contains(&format!(">t = {time} s, F* = ")), "{time}");
+        }
     }
 
     /// A run from 258 to 283 s on the clock of its stroke is 25 s long.
