@@ -111,6 +111,8 @@ pub struct Chart {
     pub cells: Vec<Cell>,
     /// Shown only in a page, when a choice of cases asks for it.
     pub spare: bool,
+    /// Whether its legend stands above its own axes, and not above all panels.
+    pub legend: bool,
 }
 
 impl Chart {
@@ -131,7 +133,14 @@ impl Chart {
             curves,
             cells: Vec::new(),
             spare: false,
+            legend: false,
         }
+    }
+
+    /// The entries of its legend: every curve with a label.
+    pub fn entries(&self) -> impl Iterator<Item = &Entry> {
+        let all = self.curves.iter().map(|curve| &curve.entry);
+        all.filter(|entry| !entry.label.is_empty())
     }
 
     /// Adds a heading, and what all its points have in common as `key=value`.

@@ -1,13 +1,18 @@
 //! The place of a panel's axes, and the places of values between them.
 
+use svg::node::element::Group;
+
 use super::chart::Chart;
 use super::labels::Field;
+use super::legend::rows;
 use super::text::{NORMAL, SMALL, width};
 
 /// From the frame to tick labels, and from those to the title, CSS pixels.
 pub const GAP: f64 = 7.0;
 /// Length of a tick's stroke, CSS pixels.
 pub const STROKE: f64 = 4.0;
+/// From a panel's left edge to its legend, CSS pixels.
+const EDGE: f64 = 6.0;
 
 /// Room around a panel's frame, CSS pixels.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,15 +21,15 @@ pub struct Margins {
     pub left: f64,
     /// For what stands beside the last points.
     pub right: f64,
-    /// For the heading.
+    /// For the heading, or a legend of its own.
     pub top: f64,
     /// For labels and title of the horizontal axis.
     pub bottom: f64,
 }
 
 impl Margins {
-    /// Margins that are large enough for all panels.
-    pub fn of(charts: &[Chart]) -> Margins {
+    /// Margins that are large enough for all panels of the given outer size.
+    pub fn of(charts: &[Chart], size: (f64, f64)) -> Margins {
         let widest = |labels: &mut dyn Iterator<Item = &str>| {
             labels.map(|label| width(label, SMALL)).fold(0.0, f64::max)
         };
@@ -32,14 +37,23 @@ impl Margins {
             widest(&mut charts.iter().flat_map(|chart| &chart.y.ticks).map(|t| t.label.as_str()));
         let last = charts.iter().filter_map(|chart| chart.x.ticks.last());
         let right = widest(&mut last.map(|tick| tick.label.as_str())) / 2.0;
+        let right = right.max(6.0) + 2.0;
         let headed = charts.iter().any(|chart| !chart.heading.is_empty());
+        let legends = charts.iter().map(|chart| own_legend(chart, size.0 - right).1);
+        let above = if headed { 22.0 } else { 10.0 };
         Margins {
             left: 3.0 + NORMAL + GAP + left + GAP,
-            right: right.max(6.0) + 2.0,
-            top: if headed { 22.0 } else { 10.0 },
+            right,
+            top: above + legends.fold(0.0, f64::max),
             bottom: STROKE + 4.0 + SMALL + 6.0 + NORMAL + 5.0,
         }
     }
+}
+
+/// A panel's own legend up to its right edge, and its height; empty where it has none.
+pub fn own_legend(chart: &Chart, right: f64) -> (Group, f64) {
+    let entries: Vec<_> = chart.entries().filter(|_| chart.legend).cloned().collect();
+    rows(&entries, EDGE, right)
 }
 
 /// Where a panel's axes lie, CSS pixels.

@@ -1,4 +1,4 @@
-//! The legend: a row of samples and words above the panels.
+//! The legend: a row of samples and words above the panels, or above the curves of one.
 
 use svg::node::element::{Group, SVG};
 
@@ -72,7 +72,7 @@ impl Entry {
 
 /// The rows of a legend as one group, and its height. Rows end before the right edge.
 pub fn rows(entries: &[Entry], left: f64, right: f64) -> (Group, f64) {
-    let mut legend = super::pen::group("legend").set("color", INK);
+    let mut legend = super::pen::group("legend ink").set("color", INK);
     let (mut x, mut row) = (left, 0);
     for entry in entries {
         let wide = SAMPLE + 6.0 + width(&entry.label, NORMAL);

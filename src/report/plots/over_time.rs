@@ -32,8 +32,6 @@ impl Line {
 /// Curves over time in one panel.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Strip {
-    /// The heading, mostly empty.
-    pub heading: String,
     /// Title of the vertical axis.
     pub title: String,
     /// Name of the quantity.
@@ -42,6 +40,8 @@ pub struct Strip {
     pub curves: Vec<Line>,
     /// Whether the axis reaches every peak, and not only lasting values.
     pub peaks: bool,
+    /// Whether the panel has a legend of its own.
+    pub legend: bool,
 }
 
 impl Strip {
@@ -65,7 +65,8 @@ impl Strip {
         let curve = |line: &Line| Curve::through(line.entry.clone(), thin(&line.points));
         let curves = self.curves.iter().map(curve).collect();
         let (axes, titles) = ((x.clone(), self.axis()?), [TIME.unit.axis(), &self.title]);
-        Some(Chart::new(axes, titles, [TIME.name, &self.name], curves).under(&self.heading, ""))
+        let chart = Chart::new(axes, titles, [TIME.name, &self.name], curves);
+        Some(Chart { legend: self.legend, ..chart })
     }
 }
 

@@ -2,10 +2,13 @@
 
 use svg::node::element::Group;
 
-use super::frame::{Frame, GAP, STROKE};
-use super::pen::{Align, drawn, group, line, strokes, text};
+use super::frame::{Frame, GAP, STROKE, own_legend};
+use super::pen::{Align, drawn, group, line, strokes, text, tidy};
 use super::text::{NORMAL, SMALL, width};
 use super::trace::{field, notes, series};
+
+/// From a panel's own legend to its frame, CSS pixels.
+const LEGEND: f64 = 6.0;
 
 /// Axes, fields and curves.
 pub fn panel(frame: &Frame) -> Group {
@@ -21,6 +24,11 @@ pub fn panel(frame: &Frame) -> Group {
     }
     if let Some(notes) = notes(frame, &chart.curves) {
         panel = panel.add(notes);
+    }
+    if chart.legend {
+        let (legend, height) = own_legend(chart, frame.left + frame.wide);
+        let above = tidy(frame.top - height - LEGEND);
+        panel = panel.add(legend.set("transform", format!("translate(0 {above})")));
     }
     if chart.heading.is_empty() {
         return panel;

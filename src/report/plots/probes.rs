@@ -10,7 +10,7 @@ use crate::report::curves::spread;
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
 use crate::report::series::Series;
-use crate::scene::OVER_STILL_WATER;
+use crate::scene::{CREST_COLUMNS, OVER_STILL_WATER};
 
 const CASES: usize = 4;
 /// Curves in a panel: one for each colour.
@@ -19,8 +19,6 @@ const CURVES: usize = 6;
 const CREST_THICKNESS: &str = "crest_thickness_m";
 /// Smaller values count as 0, in any unit.
 const NAUGHT: f64 = 1e-9;
-/// Letters above a panel, at most.
-const HEADING: usize = 36;
 
 /// The figures of a few cases with gauges, spread over the sweep.
 pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
@@ -65,8 +63,8 @@ fn holds_anything(strip: &Strip) -> bool {
     strip.curves.iter().flat_map(|line| &line.points).any(|(_, value)| value.abs() > NAUGHT)
 }
 
-/// Gauges by the title of their axis, in the order of columns, at most [`CURVES`] per panel. Few
-/// gauges head their panel. Colours go on in the next panel: all share one legend.
+/// Gauges by the title of their axis, in the order of columns, at most [`CURVES`] per panel. Several
+/// panels have a legend each, and colours begin anew in each: six are all that eyes tell apart.
 fn strips(case_id: &str, gauges: &[Series]) -> Vec<Strip> {
     let recorded = gauges.iter().filter(|gauge| gauge.points.len() > 1);
     let scales = different(recorded.map(scale));
@@ -75,21 +73,26 @@ fn strips(case_id: &str, gauges: &[Series]) -> Vec<Strip> {
         alike.chunks(CURVES).map(<[_]>::to_vec).collect::<Vec<_>>()
     };
     let panels: Vec<_> = scales.iter().flat_map(alike).collect();
-    let mut before = 0;
     let strip = |of: &Vec<&Series>| {
         let (title, scale) = scale(of[0]);
         let curve = |(index, gauge): (usize, &&Series)| {
             let points = gauge.points.iter().map(|(time, value)| (*time, value * scale));
-            Line::new((before + index) % CURVES, &gauge.name, case_id, points.collect())
+            Line::new(index, &called(gauge), case_id, points.collect())
         };
         let curves = of.iter().enumerate().map(curve).collect();
-        before += of.len();
-        let names = of.iter().map(|gauge| gauge.name.as_str()).collect::<Vec<_>>().join(", ");
-        let heading =
-            if panels.len() > 1 && names.len() <= HEADING { names } else { String::new() };
-        Strip { heading, title, name: of[0].unit.clone(), curves, peaks: true }
+        let (name, legend) = (of[0].unit.clone(), panels.len() > 1);
+        Strip { title, name, curves, peaks: true, legend }
     };
     panels.iter().map(strip).collect()
+}
+
+/// A gauge's name. The program's own columns are in words: the axis tells their unit.
+fn called(gauge: &Series) -> String {
+    if !CREST_COLUMNS.contains(&gauge.name.as_str()) {
+        return gauge.name.clone();
+    }
+    let heading = heading(&gauge.name);
+    heading.split_once(", ").map_or(heading.as_str(), |(words, _)| words).to_owned()
 }
 
 /// The title of an axis, and the factor from values to the axis.
@@ -181,9 +184,9 @@ mod tests {
         };
         let gauges = [gauge("P1", "Pa"), gauge("V", "m2"), gauge("P2", "Pa"), gauge("Q", "m2/s")];
         let strips = strips("a", &gauges);
-        let told = strips.iter().map(|strip| (strip.heading.as_str(), strip.title.as_str()));
-        let panels = [("P1, P2", "p, kPa"), ("V", "volume, m²"), ("Q", "discharge, m²/s")];
-        assert_eq!(told.collect::<Vec<_>>(), panels);
+        assert!(strips.iter().all(|strip| strip.legend), "each panel names its own");
+        let told = strips.iter().map(|strip| strip.title.as_str());
+        assert_eq!(told.collect::<Vec<_>>(), ["p, kPa", "volume, m²", "discharge, m²/s"]);
         let crest = [gauge("G1", "m"), gauge("crest_thickness_m", "m")];
         let told = super::strips("a", &crest).into_iter().map(|strip| strip.title);
         assert_eq!(told.collect::<Vec<_>>(), ["level, m", "crest thickness, m"]);
@@ -195,6 +198,39 @@ mod tests {
         let looks: Vec<_> =
             strips.iter().flat_map(|strip| &strip.curves).map(|line| line.entry.clone()).collect();
         let own = |index: usize, name: &str| Line::new(index, name, "a", Vec::new()).entry;
-        assert_eq!(looks, [own(0, "P1"), own(1, "P2"), own(2, "V"), own(3, "Q")]);
+        assert_eq!(looks, [own(0, "P1"), own(1, "P2"), own(0, "V"), own(0, "Q")]);
+    }
+
+    /// The story: beside a gauge called "qberm" the discharge over a crest had no name, and in the
+    /// one legend of all panels eight gauges had the colours of the crest's columns.
+    #[test]
+    fn a_panel_names_its_own_curves_in_its_own_colours() {
+        let gauge = |name: &str, unit: &str| Series {
+            name: name.to_owned(),
+            unit: unit.to_owned(),
+            method: String::new(),
+            points: vec![(0.0, 1.0), (1.0, 2.0)],
+        };
+        let mut gauges: Vec<_> = (1..9).map(|k| gauge(&format!("G{k}"), "m")).collect();
+        gauges.extend([gauge("qberm", "m2/s"), gauge("overtopping_discharge_m2_per_s", "m2/s")]);
+        gauges.extend([gauge("crest_thickness_m", "m"), gauge("crest_speed_m_per_s", "m/s")]);
+        let svg = over_time::strips(&strips("a", &gauges)).svg(3);
+        let panels: Vec<_> = svg.split("class=\"panel\"").skip(1).collect();
+        let named = [
+            ["G1", "G6"],
+            ["G7", "G8"],
+            ["crest thickness", "hue-0"],
+            ["qberm", "overtopping discharge"],
+            ["crest speed", "hue-0"],
+        ];
+        assert_eq!(panels.len(), named.len());
+        for (panel, names) in panels.iter().zip(named) {
+            for name in names {
+                assert!(panel.contains(name), "{name}: {panel}");
+            }
+            let samples = panel.matches("sample hue-").count();
+            let hues = (0..6).filter(|hue| panel.contains(&format!("sample hue-{hue}"))).count();
+            assert_eq!(samples, hues, "no colour twice: {panel}");
+        }
     }
 }

@@ -101,7 +101,7 @@ impl Drawing {
             top += bar::HEIGHT;
         }
         let top = EDGE + top;
-        let margins = Margins::of(&self.charts);
+        let margins = Margins::of(&self.charts, self.layout.size);
         let mut panels = Group::new();
         for (index, chart) in self.charts.iter().enumerate() {
             let left = EDGE + (wide + GAP) * (index % columns) as f64;
@@ -126,8 +126,8 @@ impl Drawing {
     /// The drawing for a page: a legend and panels, each an SVG. If `large`, each panel has half of
     /// a page's width.
     pub fn inline(&self, label: &str, large: bool) -> String {
-        let margins = Margins::of(&self.charts);
         let size = if large { LARGE } else { self.layout.size };
+        let margins = Margins::of(&self.charts, size);
         let drawn = |chart: &Chart| {
             let said = format!("{label} {}", chart.heading).replace('"', "'");
             let mut sheet = root(size, Some(chart));
@@ -153,10 +153,10 @@ impl Drawing {
         )
     }
 
-    /// The legend's entries: every curve with a label, once.
+    /// The shared legend's entries: every curve with a label, once.
     fn entries(&self) -> Vec<Entry> {
-        let all = self.charts.iter().flat_map(|chart| &chart.curves).map(|curve| &curve.entry);
-        different(all.filter(|entry| !entry.label.is_empty())).into_iter().cloned().collect()
+        let share = self.charts.iter().filter(|chart| !chart.legend);
+        different(share.flat_map(Chart::entries)).into_iter().cloned().collect()
     }
 }
 
