@@ -2,7 +2,7 @@
 
 use super::camera::Take;
 use crate::math::decimal::significant;
-use crate::scene::CaseConfig;
+use crate::scene::{CaseConfig, SeawallScene};
 use crate::simulation::{CaseResult, HistoryRow};
 use crate::study::CaseId;
 
@@ -14,21 +14,24 @@ pub(super) fn title(config: &CaseConfig) -> String {
     let kind = config.scene.kind();
     match config.scene.seawall() {
         Some(scene) => {
-            if scene.recorded.is_some() {
-                return format!("Waves of a recorded stroke at a {}", wall(config));
-            }
-            let wave = if scene.wave_train.is_some() { "Waves" } else { "Wave" };
             let height = significant(scene.wave_height_ratio, DIGITS);
-            format!("{wave} of H/h = {height} at a {}", wall(config))
+            let waves = match &scene.wave_train {
+                _ if scene.recorded.is_some() => "Waves of a recorded stroke".to_owned(),
+                Some(train) => {
+                    let period = significant(train.wave_period_s, DIGITS);
+                    format!("Waves of H/h = {height} and T = {period} s")
+                }
+                None => format!("Wave of H/h = {height}"),
+            };
+            format!("{waves} at a {}", wall(scene))
         }
         None if kind == "taylor-green" => "Taylor-Green vortices".to_owned(),
         None => kind[..1].to_uppercase() + &kind[1..].replace('-', " "),
     }
 }
 
-/// The wall of a tank in words.
-fn wall(config: &CaseConfig) -> String {
-    let Some(scene) = config.scene.seawall() else { return String::new() };
+/// The wall of a tank in words, and a bed before it.
+fn wall(scene: &SeawallScene) -> String {
     let numbers = [
         (scene.spring_stiffness_n_per_m, "k", " N/m"),
         (scene.seawall_mass_kg_per_m, "m", " kg/m"),
@@ -40,12 +43,18 @@ fn wall(config: &CaseConfig) -> String {
         })
         .collect();
     // Walls that move neither lean nor have a crest.
-    let more = match &scene.crest {
-        _ if scene.wall_angle_deg != 90.0 => format!(" at {}°", scene.wall_angle_deg),
-        Some(crest) => format!(" with its crest {} m over still water", crest.crest_freeboard_m),
-        None => String::new(),
+    let angle = match significant(scene.wall_angle_deg, DIGITS) {
+        90.0 => String::new(),
+        angle => format!(" at {angle}°"),
     };
-    format!("{}{more}{told}", scene.wall.title())
+    let crest = scene.crest.as_ref().map(|crest| {
+        let [over, wide] = [crest.crest_freeboard_m, crest.crest_width_m];
+        let [over, wide] = [over, wide].map(|metres| significant(metres, DIGITS));
+        format!(" with its crest {over} m over still water and {wide} m wide")
+    });
+    let uneven = scene.bed.as_ref().is_some_and(|bed| !bed.is_level());
+    let bed = if uneven { " over a bed" } else { "" };
+    format!("{}{angle}{}{bed}{told}", scene.wall.title(), crest.unwrap_or_default())
 }
 
 /// The line under it.
@@ -87,6 +96,25 @@ mod tests {
         let scene = "paddle = \"recorded-stroke\"\nend_time_s = 3\nrecorded_stroke = \"sweeps/scenes/recorded_stroke.csv\"";
         let told = title(&CaseConfig::of(scene, ""));
         assert_eq!(told, "Waves of a recorded stroke at a fixed wall");
+    }
+
+    /// The story: two films of a sweep over periods were both titled "Waves of H/h = 0.15 at a fixed
+    /// wall".
+    #[test]
+    fn films_of_a_sweep_have_titles_of_their_own() {
+        let train = "paddle = \"wave-train\"\nwave_height_ratio = 0.15\nend_time_s = 9\n";
+        let told = |more: &str| title(&CaseConfig::of(&format!("{train}{more}"), ""));
+        let waves = "Waves of H/h = 0.15 and T = 1.2 s at a fixed wall";
+        assert_eq!(told("wave_period_s = 1.2"), waves);
+        assert_ne!(told("wave_period_s = 1.5"), waves);
+        let lean = told("wave_period_s = 1.2\nwall_angle_deg = 60");
+        assert_eq!(lean, format!("{waves} at 60°"));
+        let bed = told("wave_period_s = 1.2\nbed = [[0, 0], [1.6, 0], [2.5, 0.05]]");
+        assert_eq!(bed, format!("{waves} over a bed"));
+        let crest = "behind = \"outflow\"\ncrest_freeboard_m = 0.05\ncrest_width_m = 0.3";
+        let crest = told(&format!("wave_period_s = 1.2\n{crest}"));
+        let over = "with its crest 0.05 m over still water and 0.3 m wide";
+        assert_eq!(crest, format!("{waves} {over}"));
     }
 
     #[test]
