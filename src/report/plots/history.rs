@@ -9,7 +9,9 @@ use super::{COMBINATIONS, Figure, SERIES, file_name, left_out, of_variant};
 use crate::math::lists::grouped;
 use crate::math::words::counted;
 use crate::quantities::history::{DISPLACEMENT, FORCE, RUNUP};
-use crate::quantities::summary::{SEAWALL_MASS, SPRING_STIFFNESS, WAVE_HEIGHT_RATIO};
+use crate::quantities::summary::{
+    DISPLACEMENT_MAX, FORCE_MAX, RUNUP_MAX, SEAWALL_MASS, SPRING_STIFFNESS, WAVE_HEIGHT_RATIO,
+};
 use crate::report::curves::{distinct, spread};
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
@@ -27,6 +29,8 @@ struct Line {
     label: String,
     case: String,
     history: History,
+    /// Its largest force, runup and displacement, as the page quotes them.
+    quoted: [Option<f64>; 3],
 }
 
 /// The figures of wave heights, and of cases without a wave.
@@ -109,7 +113,8 @@ fn read(data: &Loaded, chosen: Vec<(String, &Row)>) -> Result<Vec<Line>, ReportE
         let case = row.id().to_owned();
         let history = data.history(&case)?;
         if history.0.iter().any(|series| series.points.len() > 1) {
-            lines.push(Line { label, case, history });
+            let quoted = [&FORCE_MAX, &RUNUP_MAX, &DISPLACEMENT_MAX].map(|of| row.number(of));
+            lines.push(Line { label, case, history, quoted });
         }
     }
     Ok(lines)
@@ -205,7 +210,7 @@ fn shown(lines: &[Line], common: &str) -> String {
 
 fn strips(lines: &[Line]) -> Vec<Strip> {
     let all = [&FORCE, &RUNUP, &DISPLACEMENT];
-    let drawn = &all[usize::from(!presses(lines))..if moves(lines) { 3 } else { 2 }];
+    let drawn = usize::from(!presses(lines))..if moves(lines) { 3 } else { 2 };
     let curve = |(index, line): (usize, &Line), name: &str| {
         let points = line.history.points(name).to_vec();
         let mut curve = over_time::Line::new(index, &line.label, &line.case, points);
@@ -215,13 +220,14 @@ fn strips(lines: &[Line]) -> Vec<Strip> {
         }
         curve
     };
-    let strip = drawn.iter().map(|column| Strip {
-        title: column.unit.axis().to_owned(),
-        name: column.name.to_owned(),
-        curves: lines.iter().enumerate().map(|line| curve(line, column.name)).collect(),
+    let strip = |at: usize| Strip {
+        title: all[at].unit.axis().to_owned(),
+        name: all[at].name.to_owned(),
+        curves: lines.iter().enumerate().map(|line| curve(line, all[at].name)).collect(),
+        quoted: lines.iter().filter_map(|line| line.quoted[at]).collect(),
         ..Strip::default()
-    });
-    strip.collect()
+    };
+    drawn.map(strip).collect()
 }
 
 #[cfg(test)]

@@ -38,8 +38,10 @@ pub struct Strip {
     pub name: String,
     /// A curve without points keeps its colour, so that others have the same in all panels.
     pub curves: Vec<Line>,
-    /// Whether the axis reaches every peak, and not only lasting values.
+    /// Whether the axis reaches every peak, and not only lasting and quoted values.
     pub peaks: bool,
+    /// Values that are quoted elsewhere: the axis reaches them, too.
+    pub quoted: Vec<f64>,
     /// Whether the panel has a legend of its own.
     pub legend: bool,
 }
@@ -58,7 +60,8 @@ impl Strip {
         if self.peaks {
             return Axis::around(self.points().map(|point| point.1), 4.0);
         }
-        Axis::around(self.curves.iter().flat_map(|line| lasting(&line.points)), 4.0)
+        let lasting = self.curves.iter().flat_map(|line| lasting(&line.points));
+        Axis::around(lasting.chain(self.quoted.iter().copied()), 4.0)
     }
 
     fn chart(&self, x: &Axis) -> Option<Chart> {

@@ -81,7 +81,7 @@ fn strips(case_id: &str, gauges: &[Series]) -> Vec<Strip> {
         };
         let curves = of.iter().enumerate().map(curve).collect();
         let (name, legend) = (of[0].unit.clone(), panels.len() > 1);
-        Strip { title, name, curves, peaks: true, legend }
+        Strip { title, name, curves, peaks: true, legend, ..Strip::default() }
     };
     panels.iter().map(strip).collect()
 }

@@ -1,7 +1,7 @@
 use std::fs;
 
 use super::*;
-use crate::quantities::summary::LOG10_K_STAR;
+use crate::quantities::summary::{FORCE_MAX, LOG10_K_STAR};
 use crate::report::fixture;
 
 fn drawn(directory: &tempfile::TempDir) -> Vec<Figure> {
@@ -122,4 +122,24 @@ fn a_wall_that_no_water_comes_to_has_no_panel_of_its_force() {
     assert!(!dry.svg().contains("\"force\"") && dry.svg().contains("\"runup\""));
     assert!(dry.caption.contains("no water comes: it has no force"), "{}", dry.caption);
     assert!(wet.svg().contains("\"force\"") && wet.caption.starts_with("Force"));
+}
+
+/// The story: an impact at a crest had F* = 28.7 as the page told it, and its panel ended at 24. An
+/// impact on the stop, which no maximum has in it, still leaves the panel.
+#[test]
+fn a_panel_holds_the_maximum_that_is_quoted() {
+    let (directory, mut data) = fixture::read(fixture::fixed());
+    data.rows.truncate(1);
+    let rows = |row: i32| match row {
+        50 => "50,90,0.1,0\n".to_owned(),
+        70 => "70,28.7,0.1,0\n".to_owned(),
+        _ => format!("{row},1,0.1,0\n"),
+    };
+    let history: String = (0..100).map(rows).collect();
+    let path = directory.path().join("histories").join(format!("{}.csv", data.rows[0].id()));
+    fs::write(path, format!("time_s,force,runup,displacement\n{history}")).unwrap();
+    data.rows[0] = data.rows[0].clone().with(&FORCE_MAX, 28.7);
+    let figure = figures(&data).unwrap().remove(0);
+    let axis = &figure.drawing.charts[0].y;
+    assert!(axis.share(28.7) < 1.0 && axis.share(40.0) == 1.0, "{axis:?}");
 }
