@@ -5,7 +5,8 @@ use crate::math::lists::median;
 use crate::math::words::listed;
 use crate::quantities::Column;
 use crate::quantities::summary::{
-    DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, RUNUP_MAX, WAVE_HEIGHT_RATIO,
+    DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, OVERTOPPING_VOLUME, RUNUP_MAX,
+    WAVE_HEIGHT_RATIO,
 };
 use crate::report::load::Loaded;
 use crate::report::number::significant;
@@ -13,13 +14,14 @@ use crate::report::page::words::{at, percent};
 use crate::report::row::Row;
 
 /// A number with a bar: its symbol, its column, the whole run's column, and whether the bar is in
-/// percent. Bars of runups are in depths, as still water has no runup.
+/// percent. Bars of runups are in depths, as still water has no runup. V is the volume over a crest.
 type Number = (&'static str, &'static Column, &'static Column, bool);
 
-const NUMBERS: [Number; 3] = [
+const NUMBERS: [Number; 4] = [
     ("F*", &FIRST_FORCE_MAX, &FORCE_MAX, true),
     ("R*", &FIRST_RUNUP_MAX, &RUNUP_MAX, false),
     ("X*", &DISPLACEMENT_MAX, &DISPLACEMENT_MAX, true),
+    ("V", &OVERTOPPING_VOLUME, &OVERTOPPING_VOLUME, true),
 ];
 
 /// The median bar and the widest bar of each number, or that there are none.
@@ -100,7 +102,8 @@ fn bar(data: &Loaded, number: &Number) -> Option<String> {
 mod tests {
     use super::*;
     use crate::quantities::summary::{
-        DISPLACEMENT_ERROR, FORCE_ERROR, FORCE_MAX_ERROR, RUNUP_ERROR, RUNUP_MAX_ERROR,
+        DISPLACEMENT_ERROR, FORCE_ERROR, FORCE_MAX_ERROR, OVERTOPPING_VOLUME_ERROR, RUNUP_ERROR,
+        RUNUP_MAX_ERROR,
     };
     use crate::report::fixture;
 
@@ -144,6 +147,20 @@ mod tests {
         data.rows[0].regular = true;
         data.rows[0] = data.rows[0].clone().with(&FIRST_FORCE_MAX, 1.2).with(&FORCE_ERROR, 0.5);
         assert_eq!(super::bars(&data).unwrap(), told, "of regular waves the whole run counts");
+    }
+
+    /// The story: volumes over a crest had bars in the table, and none among the errors. Where no
+    /// water goes over, a bar has no share.
+    #[test]
+    fn bars_of_volumes_are_told() {
+        let (_directory, mut data) = fixture::read(fixture::fixed());
+        data.rows.truncate(3);
+        for (row, volume) in data.rows.iter_mut().zip([0.0, 0.002, 0.01]) {
+            *row = row.clone().with(&OVERTOPPING_VOLUME, volume);
+            *row = row.clone().with(&OVERTOPPING_VOLUME_ERROR, 0.0005);
+        }
+        let told = super::bars(&data).unwrap();
+        assert!(told.contains("V ± 15 %, ± 25 % (H/h = 0.2)"), "{told}");
     }
 
     /// The story: for a soft wall in still water the bar of X* was "± 2700 %".

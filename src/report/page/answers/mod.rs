@@ -5,6 +5,7 @@ mod aim;
 mod errors;
 mod force;
 mod halving;
+mod overtopping;
 mod run;
 mod runup;
 mod scene;
@@ -28,6 +29,7 @@ pub fn all(data: &Loaded, file: Option<&SceneFile>) -> Vec<Answer> {
         ("Failed", run::failed(data)),
         ("Largest force", force::largest(data, file)),
         ("Highest runup", runup::highest(data, file)),
+        ("Over the crest", overtopping::largest(data)),
         ("Half the force", halving::half(data)),
         ("Stops", stops::hits(data)),
         ("Bounds", doubts::bounds(data)),
