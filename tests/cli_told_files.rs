@@ -89,6 +89,7 @@ fn of_regular_waves_no_first_impact_is_told() {
     fs::rename(desk.out.join("waves"), desk.path().join("waves")).unwrap();
     let shown = ended(0, &["show", &desk.dir, &ids[0]]).out;
     let word = |word: &str| shown.lines().any(|line| line.trim_start().starts_with(word));
+    assert!(word("wave period              1 s"), "{shown}");
     assert!(word("F* max") && !word("first") && !word("rise time"), "{shown}");
     let page = fs::read_to_string(desk.out.join("report.html")).unwrap();
     for column in ["first_force_max", "first_impulse", "rise_time_s"] {

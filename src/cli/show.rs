@@ -19,7 +19,7 @@ use crate::math::words::counted;
 use crate::quantities::summary::{CASE_ID, STATUS, WAVE_HEIGHT_RATIO};
 use crate::quantities::{Column, named};
 use crate::report::load::Loaded;
-use crate::report::{self, plain, spoken};
+use crate::report::{self, plain, scene_values, spoken};
 use crate::results::{Manifest, finished};
 
 /// Show one case of a finished study: its parameters, results, error bars, health and files.
@@ -62,9 +62,10 @@ pub(super) fn main(args: &ShowArgs, output: &Output) -> anyhow::Result<u8> {
         output.result("", &row.json(&files))?;
         return Ok(SUCCESS);
     }
-    // The row with what the study's file says of its paddle.
-    let known = Loaded::read(&args.dir).ok().and_then(|data| data.rows.into_iter().nth(place));
-    output.result(&told(row, &known.unwrap_or_default(), &keys, &files), &Value::Null)?;
+    // What the study's file says of its paddle, and of its scene.
+    let data = Loaded::read(&args.dir).unwrap_or_default();
+    let known = (data.rows.get(place).cloned().unwrap_or_default(), scene_values(&data, place));
+    output.result(&told(row, &known, &keys, &files), &Value::Null)?;
     Ok(SUCCESS)
 }
 
@@ -182,7 +183,10 @@ fn files(directory: &Path, id: &str) -> Vec<PathBuf> {
     places.map(path).filter(|path| path.is_file()).collect()
 }
 
-fn told(row: &Row, known: &report::Row, keys: &[String], files: &[PathBuf]) -> String {
+/// The row with what the study's file says of its paddle, and what it says of its scene.
+type Known = (report::Row, Vec<(String, String)>);
+
+fn told(row: &Row, (known, scene): &Known, keys: &[String], files: &[PathBuf]) -> String {
     let mut text = format!("case {}: {}\n", row.cell(CASE_ID.name), row.cell(STATUS.name));
     let (results, health, parameters) = groups();
     text.push_str("\nparameters\n");
@@ -191,6 +195,7 @@ fn told(row: &Row, known: &report::Row, keys: &[String], files: &[PathBuf]) -> S
         let told = spoken(&format!("{key} = {}", row.cell(key)));
         text.extend(told.split_once(" = ").map(|(name, value)| line(name, value)));
     }
+    text.extend(scene.iter().map(|(name, value)| line(name, value)));
     for (title, columns) in [("", parameters), ("\nresults\n", results), ("\nhealth\n", health)] {
         text.push_str(title);
         for column in columns {

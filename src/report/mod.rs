@@ -29,6 +29,7 @@ pub mod plots;
 pub mod reproduce;
 mod row;
 mod scene_file;
+mod scene_values;
 mod selection;
 pub mod series;
 mod spoken;
@@ -47,6 +48,7 @@ pub use omitted::Omitted;
 pub use plots::Figure;
 pub use reproduce::Reproduced;
 pub use row::Row;
+pub use scene_values::scene_values;
 pub use spoken::spoken;
 
 use crate::keys::write_whole;
