@@ -79,8 +79,9 @@ fn lower_bounds_are_marked_and_nothing_is_filmed_twice() {
     // The spring's force is that of the same instant. `show` marked it, and `run` did not.
     let shown = ended(0, &["show", &desk.dir]).out;
     for (told, text) in [("run", &text), ("show", &shown)] {
-        let spring = text.lines().find(|line| line.starts_with("spring F* max")).unwrap();
-        assert!(spring.contains("≥ "), "{told}: {spring}");
+        let line = |name: &str| text.lines().map(str::trim).find(|line| line.starts_with(name));
+        let [largest, spring] = ["X* max", "spring F* max"].map(|name| line(name).unwrap());
+        assert!(largest.contains("≥ ") && spring.contains("≥ "), "{told}: {largest}, {spring}");
     }
     let notes = ended(0, &[&command[..], &["--vtk"]].concat()).err;
     assert!(notes.contains("--vtk: nothing was written") && notes.contains("--fresh"), "{notes}");

@@ -139,10 +139,10 @@ impl Row {
             None if value.fract() == 0.0 && value.abs() < 1e15 => value.to_string(),
             None => plain(value),
         };
-        let time = column.time_name().and_then(|name| self.number(&name));
-        let time = time.map(|time| format!(" at {time:.4} s")).unwrap_or_default();
-        let bound = column.bound.is_some_and(|flag| self.cell(flag) == "true");
+        let time = |column: &Column| column.time_name().and_then(|name| self.number(&name));
+        let bound = column.is_bound_by(|flag| self.cell(flag.name) == "true", time);
         let sign = if bound { "≥ " } else { "" };
+        let time = time(column).map(|time| format!(" at {time:.4} s")).unwrap_or_default();
         let told = format!("{sign}{told} {}", column.unit.told());
         Some(format!("{}{time}", told.trim_end()))
     }

@@ -3,8 +3,8 @@
 use std::io;
 
 use super::codec::Point;
+use super::is_read;
 use super::page::PageFilm;
-use super::title::is_read;
 use super::{Camera, Colour};
 use crate::scene::{CaseConfig, SeawallScene};
 use crate::simulation::{CaseResult, Film, cost};
@@ -148,7 +148,9 @@ mod tests {
     fn stills_show_their_own_moments() {
         let root = tempfile::tempdir().unwrap();
         let film = PageFilm { colour: Colour::Speed, folder: root.path().to_owned() };
-        let config = CaseConfig::of("wall = \"movable\"\nspring_stiffness_n_per_m = 500", "");
+        let scene =
+            "wall = \"movable\"\nspring_stiffness_n_per_m = 500\nseawall_mass_kg_per_m = 50";
+        let config = CaseConfig::of(scene, "");
         let mut camera = PageCamera::new(&film, &config);
         let take = |k: i32| {
             let time_s = 0.1 * f64::from(k);

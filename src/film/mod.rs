@@ -30,7 +30,7 @@ pub use vtk::VtkFilm;
 use crate::keys::named;
 use crate::math::words::in_words;
 use crate::scene::CaseConfig;
-use crate::simulation::{CaseResult, Film, Monitor, Stopped};
+use crate::simulation::{CaseResult, Film, HistoryRow, Monitor, Stopped};
 
 /// How cases are filmed.
 #[derive(Debug, Clone)]
@@ -44,6 +44,11 @@ pub enum Filming {
 /// Names the file that an error concerns.
 fn at(path: &Path) -> impl Fn(io::Error) -> io::Error + '_ {
     move |error| io::Error::new(error.kind(), format!("{}: {}", named(path), in_words(&error)))
+}
+
+/// Whether there are readings: without a wall there is no force and no runup.
+fn is_read(result: &CaseResult, of: fn(&HistoryRow) -> f64) -> bool {
+    result.history.iter().any(|row| of(row) != 0.0)
 }
 
 /// Watches one run.

@@ -1,6 +1,7 @@
 //! A film in words: the title of its page, and the titles of its stills.
 
 use super::camera::Take;
+use super::is_read;
 use crate::math::decimal::significant;
 use crate::scene::{CaseConfig, SeawallScene};
 use crate::simulation::{CaseResult, HistoryRow};
@@ -79,11 +80,6 @@ pub(super) fn moment(config: &CaseConfig, take: &Take, result: &CaseResult) -> S
         tell("X*", |row| row.displacement, moves);
     }
     told
-}
-
-/// Whether there are readings: without a wall there is no force and no runup.
-pub(super) fn is_read(result: &CaseResult, of: fn(&HistoryRow) -> f64) -> bool {
-    result.history.iter().any(|row| of(row) != 0.0)
 }
 
 #[cfg(test)]

@@ -1,6 +1,5 @@
 //! A column of `summary.csv`, and how it is read.
 
-use super::summary::DISPLACEMENT_MAX;
 use super::{Case, Column, Quantity, Unit, Value, named};
 use crate::simulation::Maximum;
 
@@ -48,11 +47,21 @@ impl Column {
         self.bar.and_then(named)?.number(case)
     }
 
-    /// Whether its number in a case is only a lower bound: the wall still moves at the end, and it
-    /// is of the instant of the largest displacement.
+    /// Whether its number in a case is only a lower bound.
     pub fn is_bound(&self, case: &Case<'_>) -> bool {
-        let flag = self.bound.and_then(named).and_then(|flag| flag.value(case));
-        flag == Some(Value::Flag(true)) && self.time(case) == DISPLACEMENT_MAX.time(case)
+        let is_set = |flag: &Column| flag.value(case) == Some(Value::Flag(true));
+        self.is_bound_by(is_set, |column| column.time(case))
+    }
+
+    /// The same by flags and by times of maxima, seconds: the wall still moves at the end, and the
+    /// number is of the instant of the largest displacement.
+    pub fn is_bound_by(
+        &self,
+        is_set: impl Fn(&Column) -> bool,
+        time: impl Fn(&Column) -> Option<f64>,
+    ) -> bool {
+        let moves = self.bound.and_then(named).is_some_and(is_set);
+        moves && time(self) == named("displacement_max").and_then(time)
     }
 
     /// When a maximum was reached, seconds. An impulse of 0 has no time: there was none.

@@ -10,8 +10,7 @@ use self::ends::Ends;
 pub(super) use self::words::label;
 use super::number;
 use crate::quantities::summary::{
-    CASE_ID, DISPLACEMENT_MAX, FORCE_AT_REST, SEAWALL_MASS, SPRING_STIFFNESS, STATUS, STOPS,
-    WAVE_HEIGHT_RATIO,
+    CASE_ID, FORCE_AT_REST, SEAWALL_MASS, SPRING_STIFFNESS, STATUS, STOPS, WAVE_HEIGHT_RATIO,
 };
 use crate::quantities::{Column, named, of_a_single_wave};
 
@@ -148,8 +147,7 @@ impl Row {
 
     /// Whether the number is only a lower bound.
     pub fn is_bound(&self, column: &Column) -> bool {
-        let flagged = column.bound.and_then(named).is_some_and(|flag| self.is(flag));
-        flagged && self.time(column) == self.time(&DISPLACEMENT_MAX)
+        column.is_bound_by(|flag| self.is(flag), |of| self.time(of))
     }
 
     /// A cell, with every digit of a number and no exponent.

@@ -219,8 +219,8 @@ mod tests {
         let named = [
             ["G1", "G6"],
             ["G7", "G8"],
-            ["crest thickness", "hue-0"],
             ["qberm", "overtopping discharge"],
+            ["crest thickness", "hue-0"],
             ["crest speed", "hue-0"],
         ];
         assert_eq!(panels.len(), named.len());
