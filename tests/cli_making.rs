@@ -39,7 +39,11 @@ fn reports_and_films_at_once_neither_fail_nor_seal_what_is_half_written() {
 fn a_sweep_makes_its_page_among_reports() {
     let desk = Desk::new(TINY);
     sweep(0, &desk.file, &desk.out, &[]);
-    for _ in 0..3 {
+    // On a busy machine a single report may last as long as the sweep.
+    let (mut among_reports, mut rounds) = (0, 0);
+    while among_reports < 3 {
+        rounds += 1;
+        assert!(rounds <= 12, "{among_reports} of {rounds} sweeps had two reports beside them");
         fs::remove_file(desk.out.join("derived.json")).unwrap();
         fs::remove_file(desk.out.join("summary.csv")).unwrap();
         let mut child = started(&["sweep", &desk.file, "--out", &desk.dir, "--film", "auto"]);
@@ -52,7 +56,7 @@ fn a_sweep_makes_its_page_among_reports() {
             reports += 1;
         }
         joined(vec![child]);
-        assert!(reports > 1);
+        among_reports += u32::from(reports > 1);
         ended(0, &["verify", &desk.dir]);
         fs::remove_dir_all(desk.out.join("films")).unwrap();
     }

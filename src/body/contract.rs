@@ -53,15 +53,11 @@ pub trait PaddleLaw {
         None
     }
 
-    /// How far it moves back beyond its start, metres. By default not at all.
-    fn goes_back(&self) -> f64 {
-        0.0
-    }
+    /// How far it moves back beyond its start, metres. The bed goes on behind it as far.
+    fn goes_back(&self) -> f64;
 
-    /// How far it moves forward beyond its start, metres. By default to its final position.
-    fn goes_forth(&self) -> f64 {
-        self.motion(self.still_from()).offset
-    }
+    /// How far it moves forward beyond its start, metres.
+    fn goes_forth(&self) -> f64;
 
     /// Time from which it stands still, seconds; infinite if it never does.
     fn still_from(&self) -> f64;

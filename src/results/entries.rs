@@ -104,9 +104,8 @@ impl<R> Line<R> {
     }
 }
 
-/// Reads a journal. `path` is for errors. A last line without an end is ignored.
-///
-/// # Errors A file that cannot be read; an intact line that is unknown or in the wrong place.
+/// Reads a journal. `path` is for errors. A last line without an end is ignored. Errors are a file
+/// that cannot be read, and an intact line that is unknown or in the wrong place.
 pub(super) fn parse<R: Wanted>(
     path: &Path,
     text: impl BufRead + Send,

@@ -26,8 +26,8 @@ use queue::{Queue, Ranked};
 use ranks::Ranks;
 use trunk::{Phase, Trunk};
 
-/// A branch elsewhere is worth another copy of a checkpoint if it costs more by this fraction.
-/// Neighbouring wave heights of the study differ by some two percent.
+/// A branch elsewhere is worth another copy of a checkpoint if it costs more by one part in this
+/// many. Neighbouring wave heights of the study differ by some two percent.
 const CLEARLY_DEARER: u64 = 64;
 /// A sweep is near its end with this many cases left per place. They are enough to even such
 /// differences out, and few enough for the copies.

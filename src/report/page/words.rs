@@ -2,6 +2,7 @@
 
 use crate::math::words::listed;
 use crate::quantities::Column;
+use crate::quantities::summary::DOUBTFUL;
 use crate::report::number;
 use crate::report::row::Row;
 
@@ -52,6 +53,13 @@ pub fn result(symbol: &str, row: &Row, column: &Column) -> Option<String> {
 pub fn at(row: &Row) -> String {
     let words = row.words();
     if words.is_empty() { words } else { format!(" at {words}") }
+}
+
+/// A sentence where the result of a row is doubtful. For a single case its doubts are reported
+/// elsewhere.
+pub fn doubt(row: &Row, cases: usize) -> &'static str {
+    let doubtful = row.is(&DOUBTFUL) && cases > 1;
+    if doubtful { " The result is doubtful: look at its history first." } else { "" }
 }
 
 /// A share in percent with two digits: `0.42 %`, `3.1 %`, `12 %`.

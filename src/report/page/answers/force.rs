@@ -1,10 +1,10 @@
 //! The largest force, and the case that has it.
 
 use crate::quantities::Column;
-use crate::quantities::summary::{DOUBTFUL, FIRST_FORCE_MAX, FORCE_MAX, FORCE_MAX_ERROR};
+use crate::quantities::summary::{FIRST_FORCE_MAX, FORCE_MAX, FORCE_MAX_ERROR};
 use crate::report::load::Loaded;
 use crate::report::number;
-use crate::report::page::words::{at, result};
+use crate::report::page::words::{at, doubt, result};
 use crate::report::row::Row;
 use crate::report::scene_file::SceneFile;
 use crate::scene::Scene;
@@ -62,10 +62,7 @@ pub fn largest(data: &Loaded, file: Option<&SceneFile>) -> Option<String> {
         text.push_str(" It is that of the first impact.");
         text.push_str(&later(data, force).unwrap_or_default());
     }
-    // For a single case its doubts are reported elsewhere.
-    if row.is(&DOUBTFUL) && !alone {
-        text.push_str(" The result is doubtful: look at its history first.");
-    }
+    text.push_str(doubt(row, data.rows.len()));
     // This comes last, as everything before it is about the other case.
     if let Some(other) = other.and_then(told) {
         text.push_str(&format!(" In newtons it is {other}"));
@@ -135,6 +132,7 @@ fn newtons(data: &Loaded, file: Option<&SceneFile>, row: &Row, force: f64) -> St
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::quantities::summary::DOUBTFUL;
     use crate::report::fixture;
     use crate::report::study::Key;
     use serde_json::json;

@@ -1,14 +1,15 @@
 //! How much water goes over a crest.
 
 use super::force::most;
-use crate::quantities::summary::{DOUBTFUL, OVERTOPPING_VOLUME};
+use crate::quantities::summary::OVERTOPPING_VOLUME;
 use crate::report::load::Loaded;
-use crate::report::page::words::{at, result};
+use crate::report::page::words::{at, doubt, result};
 
 /// The largest volume over a crest with its bar, and the case that has it; `None` without a crest.
 pub fn largest(data: &Loaded) -> Option<String> {
     let column = &OVERTOPPING_VOLUME;
     let volumes = data.finished().filter_map(|row| row.number(column));
+    let volumes = volumes.map(|volume| column.told_value(volume));
     let (dry, cases) =
         volumes.fold((0, 0), |(dry, all), volume| (dry + usize::from(volume == 0.0), all + 1));
     let (row, _) = most(data.finished(), |row| row.number(column))?;
@@ -21,9 +22,7 @@ pub fn largest(data: &Loaded) -> Option<String> {
     if dry > 0 {
         text.push_str(&format!(" In {dry} of {cases} cases no water went over."));
     }
-    if row.is(&DOUBTFUL) && data.rows.len() > 1 {
-        text.push_str(" The result is doubtful: look at its history first.");
-    }
+    text.push_str(doubt(row, data.rows.len()));
     Some(text)
 }
 
@@ -40,7 +39,8 @@ mod tests {
         let (_directory, mut data) = fixture::read(fixture::fixed());
         assert_eq!(largest(&data), None, "no wall has a crest");
         data.rows.truncate(3);
-        for (row, volume) in data.rows.iter_mut().zip([0.0, 0.002, 0.0125]) {
+        // Sums of no water leave some 1e-14 m².
+        for (row, volume) in data.rows.iter_mut().zip([1e-14, 0.002, 0.0125]) {
             *row = row.clone().with(&OVERTOPPING_VOLUME, volume);
         }
         data.rows[2] = data.rows[2].clone().with(&OVERTOPPING_VOLUME_ERROR, 0.0005);

@@ -1,10 +1,10 @@
 //! How high the water runs up a beach, where the wall behind it stands dry.
 
 use super::force::{most, scene};
-use crate::quantities::summary::{DOUBTFUL, RUNUP_MAX};
+use crate::quantities::summary::RUNUP_MAX;
 use crate::report::load::Loaded;
 use crate::report::number;
-use crate::report::page::words::{at, result};
+use crate::report::page::words::{at, doubt, result};
 use crate::report::row::Row;
 use crate::report::scene_file::SceneFile;
 
@@ -34,9 +34,7 @@ pub fn highest(data: &Loaded, file: Option<&SceneFile>) -> Option<String> {
             .to_owned(),
         None => String::new(),
     });
-    if row.is(&DOUBTFUL) && data.rows.len() > 1 {
-        text.push_str(" The result is doubtful: look at its history first.");
-    }
+    text.push_str(doubt(row, data.rows.len()));
     Some(text)
 }
 
