@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use seawall::accuracy::{Matrix, Trial};
 use seawall::keys::{Section, Shape};
 use seawall::scene::{CaseConfig, Kind, Numerics, Preset, numerics_keys, scene_keys};
+use seawall::study::PHYSICS_VERSION;
 use toml::{Table, Value};
 
 #[test]
@@ -18,6 +19,17 @@ fn every_scene_is_valid() {
         assert!(!file.contains_key("grid"), "{}: a scene has no grid", path.display());
         validate(&path, &file);
     }
+}
+
+/// The story: the nightly study was compared with one of an older physics version, no case of which it has.
+#[test]
+fn the_nightly_reference_is_of_this_physics_version() {
+    let manifest = fs::read_to_string("results/nightly/manifest.json").unwrap();
+    let manifest: serde_json::Value = serde_json::from_str(&manifest).unwrap();
+    assert_eq!(
+        manifest["physics_version"], PHYSICS_VERSION,
+        "scripts/nightly --accept stores a new one"
+    );
 }
 
 #[test]
