@@ -67,8 +67,8 @@ impl Exchange {
     }
 
     /// The water's pressure at a point of a face, Pa; 0 where no water is near. The weight of the
-    /// water between moves the mean to the face: p = p_m - ρ (g (y - y_m) + a (x - x_m)), with the
-    /// effect of the water's own acceleration.
+    /// water between moves the mean to the face: p = p_m - ρ (g (y - y_m) + a (x - x_m)). The
+    /// water's own acceleration counts, too.
     pub(super) fn moved_to_face(&self, ghosts: &Ghosts, motion: &BodyMotion, face: usize) -> f64 {
         let (block, lane) = (face / LANES, face % LANES);
         if self.scale[block][lane] == 0.0 {

@@ -11,7 +11,7 @@ use crate::scene::limits;
 use crate::study::Study;
 
 /// How many cases are looked at in one go.
-const CHUNK: usize = 4096;
+pub(super) const CHUNK: usize = 4096;
 
 /// The limits, with the number of cases that reach each.
 pub(super) struct KnownLimits(BTreeMap<&'static str, usize>);

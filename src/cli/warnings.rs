@@ -6,7 +6,7 @@ use std::path::Path;
 use rayon::prelude::*;
 
 use super::cost::time_of_all;
-use super::known_limits::KnownLimits;
+use super::known_limits::{CHUNK, KnownLimits};
 use super::output::{Output, duration};
 use crate::execute::available_cores;
 use crate::keys::named;
@@ -16,8 +16,6 @@ use crate::scene::{OddTally, SeawallScene};
 use crate::simulation::{Cost, Limits, cost};
 use crate::study::{Case, Study};
 
-/// How many cases are looked at in one go.
-const CHUNK: usize = 4096;
 /// A study that takes longer than this is reported with the keys that make it long, seconds.
 const LONG_S: f64 = 86_400.0;
 

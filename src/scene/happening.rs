@@ -56,10 +56,9 @@ impl Scene {
     /// that the stirred water sinks. The wall and then the paddle reflect the wave.
     pub(super) fn hits_again(&self) -> bool {
         self.seawall().is_some_and(|scene| {
-            let Frame { length, depth, gravity, end_time, .. } = scene.frame();
+            let Frame { length, end_time, .. } = scene.frame();
             let single = scene.wave_height_ratio > 0.0 && !self.has_train();
-            let celerity = (gravity * depth * (1.0 + scene.wave_height_ratio)).sqrt();
-            let returns = end_time - scene.start_s() > 3.0 * length / celerity;
+            let returns = end_time - scene.start_s() > 3.0 * length / scene.celerity();
             single && returns && self.lasts(SINKS_AFTER)
         })
     }

@@ -45,9 +45,13 @@ impl SeawallScene {
     pub(super) fn crest_may_pass(&self, place: f64) -> Option<f64> {
         let paddle = self.paddle()?;
         let centre = paddle.stroke_centre()?;
+        Some(centre + (place - paddle.motion(centre).offset) / self.celerity())
+    }
+
+    /// Speed of a solitary wave over the paddle's depth, m/s.
+    pub(super) fn celerity(&self) -> f64 {
         let frame = self.frame();
-        let celerity = (frame.gravity * frame.depth * (1.0 + self.wave_height_ratio)).sqrt();
-        Some(centre + (place - paddle.motion(centre).offset) / celerity)
+        (frame.gravity * frame.depth * (1.0 + self.wave_height_ratio)).sqrt()
     }
 
     /// How far the bed goes on behind the paddle, metres. An absorbing paddle moves back beyond its

@@ -41,15 +41,13 @@ pub(super) fn early(scene: &SeawallScene) -> Option<ConfigError> {
 /// group velocity, and leaves in the middle of its first period, in which it is blended in. What a
 /// record makes leaves when the paddle first goes some way.
 fn departure(scene: &SeawallScene) -> Option<Departure> {
-    let frame = scene.frame();
-    let celerity = (frame.gravity * frame.depth * (1.0 + scene.wave_height_ratio)).sqrt();
     if let Some(from) = scene.paddle()?.stroke_centre() {
-        return Some(Departure { what: "the crest", from, speed: celerity });
+        return Some(Departure { what: "the crest", from, speed: scene.celerity() });
     }
     if let Some((keys, waves)) = scene.wave_train.as_ref().zip(scene.regular_waves()) {
-        let speed = waves.group_velocity(frame.depth);
+        let speed = waves.group_velocity(scene.still_water_depth_m);
         return Some(Departure { what: "the train", from: 0.5 * keys.wave_period_s, speed });
     }
     let from = scene.recorded.as_ref()?.recorded_stroke.sets_off_s()?;
-    Some(Departure { what: "the wave", from, speed: celerity })
+    Some(Departure { what: "the wave", from, speed: scene.celerity() })
 }
