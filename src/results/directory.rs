@@ -69,8 +69,10 @@ impl Directory {
         disk::create_folder(path).map_err(|error| SweepError::unusable(path, &error))?;
         let mut lock = Lock::hold(path)?;
         let mut opened = Opened::New;
-        if mode == OpenMode::Fresh && before != Found::Nothing {
+        if mode == OpenMode::Fresh {
             opening::demand_same(path, &before)?;
+        }
+        if mode == OpenMode::Fresh && before != Found::Nothing {
             let (aside, new) = opening::replace(path)?;
             lock = new;
             opened = Opened::Moved(aside);

@@ -86,6 +86,28 @@ fn another_sweeps_directory_is_refused_untouched() {
     assert_eq!(opened, Opened::Moved(root.path().join("run.old-1")));
 }
 
+/// Between the old directory and the first line of the new journal there is nothing to move aside.
+/// A process that looked then once took the other one's results for its own.
+#[test]
+fn who_starts_over_never_goes_on_with_what_another_began() {
+    let root = tempfile::tempdir().unwrap();
+    let (path, study) = (root.path().join("run"), study("0.1, 0.2"));
+    fs::create_dir(&path).unwrap();
+    let lock = Lock::hold(&path).unwrap();
+    std::thread::scope(|scope| {
+        let second = scope.spawn(|| open(&path, &study, OpenMode::Fresh));
+        std::thread::sleep(Duration::from_millis(300));
+        let header = Header::new(&study.name, &study.identity, 2, SimdPath::Avx2);
+        Journal::create(&path, &header).unwrap();
+        drop(lock);
+        match second.join().unwrap() {
+            Err(error) => assert!(error.to_string().contains("just started over"), "{error}"),
+            // It may have looked after the first line was there.
+            Ok((_, opened)) => assert_eq!(opened, Opened::Moved(root.path().join("run.old-1"))),
+        }
+    });
+}
+
 /// A link to a large disk was once moved aside, and a folder beside it took the new results.
 #[test]
 fn a_link_still_leads_to_the_disk_it_led_to() {
