@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::common::{TINY, ended, write_file};
+use crate::common::{Desk, TINY, ended, with_gauge, write_file};
 use serde_json::Value;
 
 #[test]
@@ -235,6 +235,52 @@ fn what_cannot_be_compared_is_told() {
     let untold = ended(2, &["compare", &one, &other]);
     let why = format!("{other}: manifest.json is missing or damaged");
     assert!(untold.err.contains(&why), "{}", untold.err);
+}
+
+/// A record made from a case's own gauge: a centimetre higher, and later by what does not count.
+#[test]
+fn a_case_is_held_against_measurements() {
+    let desk = Desk::new(&with_gauge(TINY));
+    ended(0, &["sweep", &desk.file, "--out", &desk.dir, "--quiet", "--film", "none"]);
+    let path = desk.path().join("measured.csv");
+    let record = path.to_str().unwrap();
+    let which = ended(2, &["compare", &desk.dir, record]);
+    assert!(which.err.contains("measured.csv: no such file"), "{}", which.err);
+    let mut probes =
+        fs::read_dir(desk.out.join("probes")).unwrap().map(|file| file.unwrap().path());
+    let probe = probes.find(|path| !path.ends_with("columns.csv")).unwrap();
+    let id = probe.file_stem().unwrap().to_str().unwrap().to_owned();
+    let rows = fs::read_to_string(&probe).unwrap();
+    let raised = rows.lines().skip(1).step_by(3).map(|row| {
+        let (time, level) = row.split_once(',').unwrap();
+        format!("{time},{},7\n", level.parse::<f64>().unwrap() + 0.01)
+    });
+    let text = format!("time_s,level,levle\n{}99,99,99\n", raised.collect::<String>());
+    fs::write(&path, text).unwrap();
+    let which = ended(2, &["compare", &desk.dir, record]);
+    assert!(which.err.contains("--case: 8 cases fit; say which one by"), "{}", which.err);
+    let out = desk.path().join("beside");
+    let options = ["--case", &id[..9], "--out", out.to_str().unwrap()];
+    let told = ended(0, &[&["compare", &desk.dir, record], &options[..]].concat());
+    assert!(
+        told.err.contains("left out levle") && told.err.contains("did you mean level"),
+        "{}",
+        told.err
+    );
+    assert!(told.out.contains("level") && told.out.contains(&id), "{}", told.out);
+    roxmltree::Document::parse(&fs::read_to_string(out.join("compare.svg")).unwrap()).unwrap();
+    let table = fs::read_to_string(out.join("compare.csv")).unwrap();
+    assert!(table.lines().nth(1).unwrap().starts_with("level,m,0,"), "{table}");
+    let json = ["--case", &id, "--format", "json", "--between", "0.2", "0.6"];
+    let value = ended(0, &[&["compare", &desk.dir, record], &json[..]].concat()).json();
+    let column = &value["columns"][0];
+    let number = |key: &str| column[key].as_f64().unwrap();
+    assert!((number("rms") - 0.01).abs() < 1e-9, "{column}");
+    assert!(number("from_s") >= 0.2 && number("to_s") <= 0.6, "{column}");
+    let back = ended(2, &["compare", &desk.dir, record, "--case", &id, "--between", "2", "1"]);
+    assert!(back.err.contains("the second time must be later"), "{}", back.err);
+    let two = ended(2, &["compare", &desk.dir, &desk.dir, "--case", &id]);
+    assert!(two.err.contains("--case is for a CSV file"), "{}", two.err);
 }
 
 #[test]

@@ -1,11 +1,14 @@
-//! `seawall compare`: two studies side by side, from their files alone.
+//! `seawall compare`: two studies side by side, or a case beside measurements, from files alone.
 
 mod json;
+mod measured;
+mod points;
 
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use self::points::{in_all, place, shared};
 use super::SUCCESS;
 use super::failure::BadInput;
 use super::output::{Output, first, short};
@@ -15,23 +18,34 @@ use crate::keys::named;
 use crate::math::decimal::significant;
 use crate::math::words::counted;
 use crate::quantities::Unit;
+use crate::report::Figure;
 use crate::report::compare::{COMPARED, Comparison, Difference, Pair, compare, figure, table};
 use crate::results::SweepError;
 
-/// Put two studies side by side. Cases of the same wave and wall are compared, whatever their numerics.
+/// Put two studies side by side, or a case and what was measured. Of two studies, cases of the same
+/// wave and wall are compared, whatever their numerics.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   seawall compare results/runs/coarse results/runs/fine
   seawall compare results/runs/coarse results/runs/fine --out results/runs/difference
   seawall compare results/runs/liang2017 results/runs/liang2017_as_published --format json
+  seawall compare results/runs/flume gauges.csv --between 265 277 --out results/runs/flume_beside
 
 F* and R* are those of the first impact, X* and volumes over a crest of the whole run; differences are the second study less the
 first. Exit code: 0 where it could compare, 2 where the studies have no case in common or cannot be read.")]
 pub(super) struct CompareArgs {
     /// The output directory of the first study.
     first: PathBuf,
-    /// The output directory of the second study.
+    /// The output directory of the second study; or a CSV file of measurements, with `time_s` and columns of the
+    /// case's `probes/` or `histories/`.
+    #[arg(value_name = "SECOND|CSV")]
     second: PathBuf,
+    /// Which case is held against measurements: the start of its id, or values of swept keys.
+    #[arg(long, value_name = "CASE", num_args = 1)]
+    case: Vec<String>,
+    /// Hold measurements against the case from one time to another only, s.
+    #[arg(long, num_args = 2, value_names = ["FROM_S", "TO_S"], allow_negative_numbers = true)]
+    between: Vec<f64>,
     /// Write compare.csv and compare.svg into this directory.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -41,6 +55,15 @@ pub(super) struct CompareArgs {
 const ROWS: usize = 10;
 
 pub(super) fn main(args: &CompareArgs, output: &Output) -> anyhow::Result<u8> {
+    if args.second.is_file() || args.second.extension().is_some_and(|ending| ending == "csv") {
+        measured::main(args, output)?;
+        return Ok(SUCCESS);
+    }
+    let options = [("--case", args.case.is_empty()), ("--between", args.between.is_empty())];
+    if let Some((option, _)) = options.iter().find(|(_, is_empty)| !is_empty) {
+        let why = "is for a CSV file of measurements in the second place";
+        return Err(BadInput(format!("{option} {why}")).into());
+    }
     let directories = [args.first.as_path(), args.second.as_path()];
     for directory in directories {
         demand_summary(directory)?;
@@ -49,7 +72,11 @@ pub(super) fn main(args: &CompareArgs, output: &Output) -> anyhow::Result<u8> {
     if comparison.pairs.is_empty() {
         return Err(nothing_in_common(directories, &comparison).into());
     }
-    let files = args.out.as_ref().map(|out| write(out, &comparison)).transpose()?;
+    let files = args
+        .out
+        .as_ref()
+        .map(|out| save(out, &table(&comparison).csv(), figure(&comparison).as_ref()));
+    let files = files.transpose()?;
     let mut text = told(directories, &comparison, output.verbose);
     for file in files.iter().flatten() {
         text.push_str(&format!("{}\n", named(file)));
@@ -76,12 +103,13 @@ fn nothing_in_common(directories: [&Path; 2], comparison: &Comparison) -> BadInp
     })
 }
 
-fn write(out: &Path, comparison: &Comparison) -> anyhow::Result<Vec<PathBuf>> {
+/// Writes `compare.csv`, and `compare.svg` if there is a figure.
+fn save(out: &Path, table: &str, figure: Option<&Figure>) -> anyhow::Result<Vec<PathBuf>> {
     let bad = |error: std::io::Error| SweepError::unusable(out, &error);
     std::fs::create_dir_all(out).map_err(bad)?;
     let mut files = vec![out.join("compare.csv")];
-    std::fs::write(&files[0], table(comparison).csv()).map_err(bad)?;
-    if let Some(figure) = figure(comparison) {
+    std::fs::write(&files[0], table).map_err(bad)?;
+    if let Some(figure) = figure {
         let path = out.join("compare.svg");
         std::fs::write(&path, figure.svg()).map_err(bad)?;
         files.push(path);
@@ -148,36 +176,6 @@ fn tallies(comparison: &Comparison, shared: &[&str]) -> String {
         table.row([column.symbol.to_owned(), count, median, worst, within, place]);
     }
     table.render()
-}
-
-/// A pair's point without the parts that all pairs share.
-fn place(shared: &[&str], pair: &Pair) -> String {
-    let told: Vec<_> = parts(pair).filter(|part| !shared.contains(part)).collect();
-    if told.is_empty() { pair.words.clone() } else { told.join(", ") }
-}
-
-/// The parts that all pairs share, if pairs differ in other parts.
-fn in_all(comparison: &Comparison, shared: &[&str]) -> String {
-    let differs = comparison.pairs.first().is_some_and(|pair| parts(pair).count() > shared.len());
-    if differs { shared.join(", ") } else { String::new() }
-}
-
-/// The parts that all pairs share.
-fn shared(comparison: &Comparison) -> Vec<&str> {
-    let Some((first, others)) = comparison.pairs.split_first() else { return Vec::new() };
-    let in_all = |part: &&str| others.iter().all(|other| parts(other).any(|own| own == *part));
-    parts(first).filter(in_all).collect()
-}
-
-/// The parts of a point's words. A bed is one part, with all its commas.
-fn parts(pair: &Pair) -> impl Iterator<Item = &str> {
-    let mut depth = 0;
-    pair.words
-        .split(move |letter| {
-            depth += i32::from(letter == '[') - i32::from(letter == ']');
-            letter == ',' && depth == 0
-        })
-        .map(str::trim_start)
 }
 
 /// A size to so many decimals; zero has no sign, as two builds may differ in the last digit.

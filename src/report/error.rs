@@ -25,6 +25,9 @@ pub enum ReportError {
     /// A cell holds something that its column does not take.
     #[error("{}, line {line}, column {column:?}: {reason}{}", named(path), remedy(path))]
     Cell { path: PathBuf, line: u64, column: String, reason: String },
+    /// A measured record cannot be held against a case.
+    #[error("{}: {reason}", named(path))]
+    Record { path: PathBuf, reason: String },
     /// A figure could not be drawn: a fault of the program, not of the data.
     #[error("cannot draw {figure}: {reason}")]
     Draw { figure: String, reason: String },

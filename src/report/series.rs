@@ -130,7 +130,7 @@ impl Loaded {
 }
 
 /// Reads a table over time.
-fn series(path: &Path, needed: &[&'static str]) -> Result<History, ReportError> {
+pub(super) fn series(path: &Path, needed: &[&'static str]) -> Result<History, ReportError> {
     let (header, records) = read_records(path, false)?;
     demand(path, &header, needed.iter().copied())?;
     let rows: Vec<Vec<Option<f64>>> = deserialize(path, &header, &records)?;

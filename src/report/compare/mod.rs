@@ -1,7 +1,9 @@
 //! Two studies side by side. Cases are matched by their physical values and not by their ids, since
 //! numerics may differ.
 
+mod held;
 mod matching;
+mod measured;
 mod pair;
 mod shown;
 mod values;
@@ -16,6 +18,8 @@ use super::row::Row;
 use crate::quantities::Column;
 use values::Values;
 
+pub use held::{figure as figure_of_held, table as table_of_held};
+pub use measured::{Beside, Held, hold};
 pub use pair::{COMPARED, Difference, Pair, Tally};
 pub use shown::{figure, table};
 

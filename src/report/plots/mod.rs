@@ -35,10 +35,11 @@ pub(super) use fixed_wall::{figures as at_fixed_walls, sides, walls as fixed_wal
 pub(super) use legend::Entry;
 pub(super) use look::Look;
 pub(super) use marks::{key, point as case_point};
-pub(super) use over_time::lasting;
+pub(super) use over_time::{Line, Strip, lasting, strips};
 pub(super) use printed::{
     PRINTED, coloured as printed_in_colour, entry as printed_entry, point as printed_point,
 };
+pub(super) use probes::scale as axis_of_gauge;
 pub(super) use sheet::{Drawing, Layout};
 
 use super::error::ReportError;

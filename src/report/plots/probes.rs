@@ -96,7 +96,7 @@ fn called(gauge: &Series) -> String {
 }
 
 /// The title of an axis, and the factor from values to the axis.
-fn scale(gauge: &Series) -> (String, f64) {
+pub fn scale(gauge: &Series) -> (String, f64) {
     // A thickness is not a level: it does not start at the bed. It has its own panel.
     if gauge.name == CREST_THICKNESS {
         return (heading(&gauge.name), 1.0);
