@@ -32,13 +32,14 @@ fn a_circle_is_found_through_a_folder_that_hands_on_a_name() {
     assert_eq!(circles(&Sources::new(files)), BTreeSet::from([circle]));
 }
 
-/// Adds the files of a folder, each with its path from the root without the ending, and its text.
+/// Adds the sources of a folder, each with its path from the root without the ending, and its text.
+/// Beside some of them lies a script or a style of the same name.
 fn read(root: &Path, folder: &Path, files: &mut Vec<(String, String)>) {
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         if path.is_dir() {
             read(root, &path, files);
-        } else {
+        } else if path.extension().is_some_and(|ending| ending == "rs") {
             let name = path.strip_prefix(root).unwrap().with_extension("");
             files.push((name.to_str().unwrap().to_owned(), fs::read_to_string(&path).unwrap()));
         }

@@ -5,6 +5,7 @@ use std::io;
 use super::codec::Point;
 use super::is_read;
 use super::page::PageFilm;
+use super::take::{Take, nearest};
 use super::{Camera, Colour};
 use crate::scene::{CaseConfig, SeawallScene};
 use crate::simulation::{CaseResult, Film, cost};
@@ -21,15 +22,11 @@ const UNDER: f64 = -0.075;
 /// Half of a film's frames are within this many √(h/g) of the crest.
 const CLOSE: f64 = 5.0;
 
-/// The water at an instant.
-#[derive(Debug, Clone)]
-pub(super) struct Take {
-    /// Simulated time, seconds.
-    pub time_s: f64,
-    /// Positions of both end walls, metres from rest.
-    pub walls: [f64; 2],
-    /// For every particle, by its number: x and y in metres, and the value of its colour.
-    pub points: Vec<Point>,
+impl PageFilm {
+    /// What watches a case for it.
+    pub(super) fn camera<'a>(&'a self, config: &'a CaseConfig) -> PageCamera<'a> {
+        PageCamera::new(self, config)
+    }
 }
 
 /// Watches a case and makes a page of it.
@@ -114,12 +111,6 @@ fn pick(takes: Vec<Take>, moments: &[f64], close: f64) -> (Vec<Take>, usize) {
     let keep = |at: &usize| all || chosen.contains(at);
     let picked = takes.into_iter().enumerate().filter(|(at, _)| keep(at)).map(|(_, take)| take);
     (picked.collect(), if all { crest } else { place })
-}
-
-/// Index of the instant nearest to a time.
-pub(super) fn nearest(takes: &[Take], time: f64) -> usize {
-    let gap = |&at: &usize| (takes[at].time_s - time).abs();
-    (0..takes.len()).min_by(|a, b| gap(a).total_cmp(&gap(b))).unwrap_or(0)
 }
 
 #[cfg(test)]

@@ -3,8 +3,8 @@
 //!
 //! - `vtk` and `vtu`: files for ParaView, with all data of the particles, and the walls;
 //! - [`PageFilm`]: a page that plays in a browser, and a still of the crest at the wall. `camera`
-//!   stores the frames; `reel`, `codec` and `coder` pack them. `stage` has the surroundings of the
-//!   water. `title` names the film; `page` and `still` draw it.
+//!   stores the frames, a `take` each; `reel`, `codec` and `coder` pack them. `stage` has the
+//!   surroundings of the water. `title` names the film; `page` and `still` draw it.
 
 mod camera;
 mod codec;
@@ -14,6 +14,7 @@ mod reel;
 mod scale;
 mod stage;
 mod still;
+mod take;
 mod title;
 mod tops;
 mod vtk;

@@ -4,12 +4,12 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use super::camera::{PageCamera, Take};
 use super::reel::Reel;
 use super::scale::{self, Colour};
 use super::stage::Stage;
+use super::take::{Take, nearest};
 use super::title::{about, moment, title};
-use super::{at, camera, is_read, still};
+use super::{at, is_read, still};
 use crate::keys::write_whole;
 use crate::math::decimal::significant;
 use crate::scene::CaseConfig;
@@ -33,10 +33,6 @@ pub struct PageFilm {
 }
 
 impl PageFilm {
-    pub(super) fn camera<'a>(&'a self, config: &'a CaseConfig) -> PageCamera<'a> {
-        PageCamera::new(self, config)
-    }
-
     /// Whether a case is small enough for a page.
     ///
     /// # Errors
@@ -93,7 +89,7 @@ impl PageFilm {
             fs::create_dir(&self.folder).map_err(at(&self.folder))?;
         }
         let (mut stills, crest_s) = (String::new(), takes[crest].time_s);
-        let highest = camera::nearest(takes, result.outcome.runup_max.time_s);
+        let highest = nearest(takes, result.outcome.runup_max.time_s);
         let climbs = is_read(result, |row| row.runup);
         let other = |take: &&Take| take.time_s != crest_s;
         let moments = [

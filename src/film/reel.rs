@@ -4,10 +4,10 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde_json::{Value, json};
 
-use super::camera::Take;
 use super::codec::{self, Point};
 use super::scale;
 use super::stage::Stage;
+use super::take::Take;
 use crate::math::decimal::significant;
 use crate::simulation::{CaseResult, HistoryRow, Maximum};
 

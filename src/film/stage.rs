@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::camera::Take;
+use super::take::Take;
 use crate::boundary::Profile;
 use crate::scene::{CaseConfig, Scene, SeawallScene, WallChoice, Walls};
 

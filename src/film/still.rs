@@ -2,9 +2,9 @@
 
 use std::fmt::Write;
 
-use super::camera::Take;
 use super::scale::{self, Colour};
 use super::stage::{Stage, View, WallKind};
+use super::take::Take;
 use super::tops::Tops;
 use crate::math::decimal::significant;
 

@@ -1,7 +1,7 @@
 //! A film in words: the title of its page, and the titles of its stills.
 
-use super::camera::Take;
 use super::is_read;
+use super::take::Take;
 use crate::math::decimal::significant;
 use crate::scene::{CaseConfig, SeawallScene};
 use crate::simulation::{CaseResult, HistoryRow};

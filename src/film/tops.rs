@@ -1,7 +1,7 @@
 //! The surface of the water that stands on the bed, for stills.
 
-use super::camera::Take;
 use super::stage::{Stage, View, WallKind};
+use super::take::Take;
 
 /// Width of a bin, spacings.
 const BIN: f64 = 1.5;
