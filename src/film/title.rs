@@ -53,9 +53,12 @@ fn wall(scene: &SeawallScene) -> String {
         let [over, wide] = [over, wide].map(|metres| significant(metres, DIGITS));
         format!(" with its crest {over} m over still water and {wide} m wide")
     });
-    let uneven = scene.bed.as_ref().is_some_and(|bed| !bed.is_level());
-    let bed = if uneven { " over a bed" } else { "" };
-    format!("{}{angle}{}{bed}{told}", scene.wall.title(), crest.unwrap_or_default())
+    let bed = scene.bed.as_ref().filter(|bed| !bed.is_level()).map(|bed| {
+        let [from, to] = [bed.level_up_to(), bed.range()[1]].map(|m| significant(m, DIGITS));
+        format!(" over a bed from x = {from} m on, up to {to} m high")
+    });
+    let [crest, bed] = [crest, bed].map(Option::unwrap_or_default);
+    format!("{}{angle}{crest}{bed}{told}", scene.wall.title())
 }
 
 /// The line under it.
@@ -106,7 +109,7 @@ mod tests {
         let lean = told("wave_period_s = 1.2\nwall_angle_deg = 60");
         assert_eq!(lean, format!("{waves} at 60°"));
         let bed = told("wave_period_s = 1.2\nbed = [[0, 0], [1.6, 0], [2.5, 0.05]]");
-        assert_eq!(bed, format!("{waves} over a bed"));
+        assert_eq!(bed, format!("{waves} over a bed from x = 1.6 m on, up to 0.05 m high"));
         let crest = "behind = \"outflow\"\ncrest_freeboard_m = 0.05\ncrest_width_m = 0.3";
         let crest = told(&format!("wave_period_s = 1.2\n{crest}"));
         let over = "with its crest 0.05 m over still water and 0.3 m wide";
