@@ -13,8 +13,8 @@ use std::process::ExitCode;
 
 use anyhow::{Context, Result, ensure};
 use common::{
-    COMPARED, Compared, DISPLACEMENT, FORCE, KEYS, RUNUP, Row, beside, number, read, summaries,
-    text,
+    COMPARED, Compared, DISPLACEMENT, FORCE, KEYS, MOMENT, RUNUP, Row, beside, number, read,
+    summaries, text,
 };
 
 /// Places among [`COMPARED`], and the columns of their bars.
@@ -84,14 +84,29 @@ fn line(reading: &Compared, wave: &str, bars: &[Bar]) -> String {
     let worst = bars.iter().max_by(|a, b| a.error.abs().total_cmp(&b.error.abs()));
     let worst = worst.map(|bar| format!("{:+.3} at {}", bar.error, bar.case)).unwrap_or_default();
     let errors = sorted(bars.iter().map(|bar| bar.error.abs()));
+    let held = match bars.iter().any(|bar| bar.size.is_finite()) {
+        true => format!(
+            "{:.1} % | {:.4}",
+            share(bars),
+            median(&sorted(bars.iter().map(|bar| bar.size)))
+        ),
+        false => "no bars | ".to_owned(),
+    };
     format!(
-        "| {name}, {unit} | {wave} | {} | {:.1} % | {:.4} | {:.4} | {:.4} | {worst} |\n",
+        "| {name}, {unit} | {wave} | {} | {held} | {:.4} | {:.4} | {worst} |\n",
         bars.len(),
-        share(bars),
-        median(&sorted(bars.iter().map(|bar| bar.size))),
         median(&errors),
         nine_in_ten(&errors),
     )
+}
+
+/// The rows of every wave, and of all of them.
+fn lines(reading: &Compared, bars: &mut [Bar]) -> String {
+    bars.sort_by(|a, b| a.wave.total_cmp(&b.wave));
+    let waves = bars.chunk_by(|a, b| a.wave == b.wave);
+    let waves = waves.map(|wave| line(reading, &wave[0].wave.to_string(), wave));
+    let all = (!bars.is_empty()).then(|| line(reading, "all", bars));
+    waves.chain(all).collect()
 }
 
 /// What is wrong with the bars of one reading: the share of all, and of every wave.
@@ -138,11 +153,7 @@ fn judge(rows: &[Row], truths: &[Row]) -> Result<(String, Vec<String>)> {
             continue; // fixed walls have no displacement
         }
         any = true;
-        bars.sort_by(|a, b| a.wave.total_cmp(&b.wave));
-        for wave in bars.chunk_by(|a, b| a.wave == b.wave) {
-            page += &line(reading, &wave[0].wave.to_string(), wave);
-        }
-        page += &line(reading, "all", &bars);
+        page += &lines(reading, &mut bars);
         for bar in bars.iter().filter(|bar| !bar.holds()) {
             let (Compared { name, unit, .. }, Bar { size, error, case, .. }) = (reading, bar);
             writeln!(missed, "| {name}, {unit} | {case} | {error:+.4} | {size:.4} |")?;
@@ -150,6 +161,8 @@ fn judge(rows: &[Row], truths: &[Row]) -> Result<(String, Vec<String>)> {
         faults.extend(broken(reading.name, &bars));
     }
     ensure!(any, "no row has a truth");
+    let moments = rows.iter().filter_map(|row| Bar::new(row, truths, &MOMENT, "no bar"));
+    page += &lines(&MOMENT, &mut moments.collect::<Vec<_>>());
     page +=
         "\nBars that do not hold:\n\n| reading | H/h, k, m | error | bar |\n|---|---|---|---|\n";
     page += &missed;

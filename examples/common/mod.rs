@@ -76,7 +76,9 @@ pub const COMPARED: [Compared; 4] = [
     compared("first_runup_max", "first_runup_max", "first R*", "h"),
     compared("displacement_max", "displacement_max", "largest X*", "%"),
 ];
-/// Places there.
+/// The moment, which has no error bar.
+pub const MOMENT: Compared = compared("first_moment_max", "first_moment_max", "first M*", "%");
+/// Places among [`COMPARED`].
 pub const CREST: usize = 0;
 pub const FORCE: usize = 1;
 pub const RUNUP: usize = 2;

@@ -17,7 +17,7 @@ const PEAK_DROP: f64 = 0.10;
 /// Span of the force's running mean over √(h/g).
 const MEAN_SPAN: f64 = 0.07;
 
-/// One step's readings, non-dimensional: F*, R*, X*, and the wall's count of stops.
+/// One step's readings, non-dimensional: F*, R*, X*, M*, and the wall's count of stops.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reading {
     /// Seconds since the paddle's start.
@@ -28,6 +28,8 @@ pub struct Reading {
     pub runup: f64,
     /// X*; `None` for a fixed wall.
     pub displacement: Option<f64>,
+    /// M*, the moment about the foot over that of still water.
+    pub moment: f64,
     /// Stops so far.
     pub stops: u32,
 }
@@ -73,6 +75,7 @@ pub struct Measures {
     threshold: f64,
     persistence: f64,
     mean: RunningMean,
+    mean_moment: RunningMean,
     impact: Impact,
     above_since: Option<f64>,
     below_since: Option<f64>,
@@ -90,6 +93,8 @@ pub struct Measures {
     pub first_runup: Option<Maximum>,
     /// X* over the first impact.
     pub first_displacement: Option<Maximum>,
+    /// M* over the first impact (running mean).
+    pub first_moment: Option<Maximum>,
     /// Largest F* of a single step.
     pub force_raw: f64,
     /// When F > F_th first lasted.
@@ -107,10 +112,12 @@ fn raise(maximum: &mut Option<Maximum>, value: f64, time_s: f64) {
 impl Measures {
     /// For F_threshold over the hydrostatic force, still water depth (m) and gravity (m/s²).
     pub fn new(threshold_ratio: f64, depth: f64, gravity: f64) -> Measures {
+        let mean = RunningMean::new(MEAN_SPAN * (depth / gravity).sqrt());
         Measures {
             threshold: threshold_ratio,
             persistence: PERSISTENCE * (depth / gravity).sqrt(),
-            mean: RunningMean::new(MEAN_SPAN * (depth / gravity).sqrt()),
+            mean_moment: mean.clone(),
+            mean,
             impact: Impact::Before,
             above_since: None,
             below_since: None,
@@ -122,6 +129,7 @@ impl Measures {
             first_force: None,
             first_runup: None,
             first_displacement: None,
+            first_moment: None,
             force_raw: f64::NEG_INFINITY,
             onset: None,
             last: [0.0; 3],
@@ -130,7 +138,7 @@ impl Measures {
 
     /// Takes one step's readings.
     pub fn push(&mut self, reading: Reading) {
-        let Reading { time, force, runup, displacement, stops } = reading;
+        let Reading { time, force, runup, displacement, moment, stops } = reading;
         self.last = [force, runup, displacement.unwrap_or(0.0)];
         self.force_raw = self.force_raw.max(force);
         raise(&mut self.runup, runup, time);
@@ -141,7 +149,11 @@ impl Measures {
             raise(&mut self.force, mean, at);
             self.follow_impact(at, mean, &reading);
         }
+        let moment = self.mean_moment.push(time, moment);
         if matches!(self.impact, Impact::On { .. }) {
+            if let Some((at, mean)) = moment {
+                raise(&mut self.first_moment, mean, at);
+            }
             raise(&mut self.first_runup, runup, time);
             self.runup_peak.push(runup);
             if let Some(x) = displacement {

@@ -23,17 +23,17 @@ const SMALLEST_CREST: f64 = 0.01;
 pub struct Row {
     /// Seconds.
     pub time: f64,
-    /// F*, R*, X*.
-    pub values: [f64; 3],
+    /// F*, R*, X*, M*.
+    pub values: [f64; 4],
 }
 
-/// F*, R*, X* at a time, and the rates of the latter two, 1/s.
+/// F*, R*, X*, M* at a time, and the rates of R* and X*, 1/s.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sample {
     /// Seconds.
     pub time: f64,
-    /// F*, R*, X*.
-    pub values: [f64; 3],
+    /// F*, R*, X*, M*.
+    pub values: [f64; 4],
     /// Of R* and X*.
     pub rates: [f64; 2],
     /// Stops so far.
@@ -41,16 +41,16 @@ pub struct Sample {
 }
 
 impl Sample {
-    /// Values a `share` of the way to the next sample: a line for F*, parabolas for R* and X*.
-    fn towards(&self, next: &Sample, share: f64) -> [f64; 3] {
+    /// Values a `share` of the way to the next sample: a line for F* and M*, parabolas for R* and X*.
+    fn towards(&self, next: &Sample, share: f64) -> [f64; 4] {
         let span = next.time - self.time;
         let line = |k: usize| share * (next.values[k] - self.values[k]);
         let bend = |k: usize| {
             let tangent = self.rates[k - 1] * span;
             share * (tangent + share * (next.values[k] - self.values[k] - tangent))
         };
-        let [force, runup, x] = self.values;
-        [force + line(0), runup + bend(1), x + bend(2)]
+        let [force, runup, x, moment] = self.values;
+        [force + line(0), runup + bend(1), x + bend(2), moment + line(3)]
     }
 }
 
@@ -148,10 +148,10 @@ impl Readings {
         }
     }
 
-    fn push(&mut self, time: f64, values: [f64; 3], stops: u32) {
-        let [force, runup, x] = values;
+    fn push(&mut self, time: f64, values: [f64; 4], stops: u32) {
+        let [force, runup, x, moment] = values;
         let displacement = self.movable.then_some(x);
-        self.measures.push(Reading { time, force, runup, displacement, stops });
+        self.measures.push(Reading { time, force, runup, displacement, moment, stops });
     }
 
     /// Takes the relative errors of volume and energy.

@@ -10,7 +10,7 @@ use super::cases::Case;
 use super::readings::Readings;
 
 /// Columns of the table.
-const COLUMNS: [&str; 27] = [
+const COLUMNS: [&str; 29] = [
     "wave_height_ratio",
     "spring_stiffness_n_per_m",
     "seawall_mass_kg_per_m",
@@ -34,6 +34,8 @@ const COLUMNS: [&str; 27] = [
     "displacement_end",
     "stops",
     "stop_impulse",
+    "first_moment_max",
+    "first_moment_max_time_s",
     "volume_error",
     "energy_error",
     "nodes",
@@ -83,6 +85,7 @@ impl Table {
         row.push(optional(moved.then_some(measures.last[2])));
         row.push(if moved { readings.stops.to_string() } else { String::new() });
         row.push(optional(moved.then_some(readings.stop_impulse)));
+        row.extend(maximum(measures.first_moment));
         row.push(format!("{:.1e}", readings.volume_error));
         row.push(format!("{:.1e}", readings.energy_error));
         row.extend([nodes.to_string(), status.to_owned()]);
@@ -104,10 +107,10 @@ pub fn write_history(directory: &Path, case: &Case, readings: &Readings) -> Resu
         Some(_) => format!("h{height}_k{stiffness}_m{mass}.csv"),
     };
     let mut writer = csv::Writer::from_path(directory.join(name))?;
-    writer.write_record(["time_s", "force", "runup", "displacement"])?;
+    writer.write_record(["time_s", "force", "runup", "displacement", "moment"])?;
     for row in &readings.history {
-        let [force, runup, displacement] = row.values;
-        writer.write_record([row.time, force, runup, displacement].map(number))?;
+        let [force, runup, displacement, moment] = row.values;
+        writer.write_record([row.time, force, runup, displacement, moment].map(number))?;
     }
     writer.flush()?;
     Ok(())

@@ -8,7 +8,7 @@ use super::law::{DENSITY, DEPTH, GRAVITY, LENGTH, STATIC_FORCE, Spring};
 use super::motion;
 use super::readings::{Readings, Sample};
 use super::settings::Settings;
-use super::water::{Faces, Flow, Force, Guess, Surface, quadrature};
+use super::water::{Faces, Flow, Guess, Surface, quadrature};
 
 /// Readings are taken at the multiples of this, seconds, and in between.
 pub const CHUNK: f64 = 0.005;
@@ -262,15 +262,16 @@ impl Tank {
         let acceleration = self.spring.map_or(0.0, |spring| {
             spring.acceleration(state.wall[0], on_stop, wall.still, wall.added_mass)
         });
-        let felt = |force: Force| force.still - force.added_mass * acceleration;
-        let work = felt(paddle) * motion.velocity - felt(wall) * state.wall[1];
+        let [pushed, [force, moment]] = [paddle, wall].map(|face| face.at(acceleration));
+        let work = pushed[0] * motion.velocity - force * state.wall[1];
         if read {
             let energy = flow.energy(&self.rule) - state.work;
             let volume = flow.volume() / (LENGTH * DEPTH) - 1.0;
             self.readings.conserved(volume, energy / self.wave_energy);
             let (runup, rise) = (surface.y[end] / DEPTH - 1.0, flow.velocity[1][end] / DEPTH);
             let stops = self.readings.stops;
-            let values = [felt(wall) / STATIC_FORCE, runup, state.wall[0] / DEPTH];
+            let moment = moment / (STATIC_FORCE * DEPTH / 3.0);
+            let values = [force / STATIC_FORCE, runup, state.wall[0] / DEPTH, moment];
             let rates = [rise, state.wall[1] / DEPTH];
             let sample = Sample { time, values, rates, stops };
             if self.readings.energy_error <= ENERGY_BOUND {
@@ -322,7 +323,7 @@ mod tests {
         }
     }
 
-    /// ω² = g k tanh(k h).
+    /// ω² = g k tanh(k h), and force and moment are those of linear theory.
     #[test]
     fn a_low_standing_wave_has_its_frequency() {
         let mut tank = Tank::new(1e-9, settings(97, 0.00125)); // a paddle as good as still
@@ -331,13 +332,27 @@ mod tests {
         for (x, y) in x.iter().zip(y.iter_mut()) {
             *y += height * (wavenumber * x).cos();
         }
-        let frequency = (GRAVITY * wavenumber * (wavenumber * DEPTH).tanh()).sqrt();
+        let depths = wavenumber * DEPTH;
+        let frequency = (GRAVITY * wavenumber * depths.tanh()).sqrt();
+        // Its pressure goes as cosh(k y) up the wall: force and moment on it by linear theory.
+        let unit = DENSITY * GRAVITY * height / wavenumber;
+        let tilt = DEPTH * depths.tanh() - (1.0 - 1.0 / depths.cosh()) / wavenumber;
+        let still = [STATIC_FORCE, STATIC_FORCE * DEPTH / 3.0];
         while tank.time < 2.0 * PI / frequency {
             tank.step(false).unwrap().unwrap();
             for place in [0, 96] {
                 let lift = (tank.state.surface.y[place] - DEPTH) / height;
                 let exact = (frequency * tank.time).cos();
                 assert!((lift - exact).abs() < 1e-4, "{lift} {exact}");
+            }
+            let (surface, faces) =
+                (tank.state.surface.clone(), Faces { paddle: [0.0; 2], wall: 0.0 });
+            let flow = Flow::new(&surface, faces, &mut tank.guess).unwrap();
+            let [_, wall] = flow.forces(&mut tank.guess, false, &tank.rule).unwrap();
+            for (k, amplitude) in [unit * depths.tanh(), unit * tilt].into_iter().enumerate() {
+                let share = (wall.at(0.0)[k] - still[k]) / amplitude;
+                let exact = (frequency * tank.time).cos();
+                assert!((share - exact).abs() < 1e-3, "{k}: {share} {exact}");
             }
         }
         assert!(tank.readings.volume_error < 1e-12);

@@ -47,13 +47,28 @@ impl Guess {
     }
 }
 
-/// Forces on a face: F = `still` - `added_mass` a_w, N per metre of width.
+/// Forces on a face: F = `still` - `added_mass` a_w, N per metre of width. The moment about the foot
+/// goes the same way, N.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Force {
     /// Where the wall does not accelerate.
     pub still: f64,
     /// Kg per metre of width.
     pub added_mass: f64,
+    /// The moment where the wall does not accelerate.
+    pub still_moment: f64,
+    /// Its part for the acceleration, kg.
+    pub added_moment: f64,
+}
+
+impl Force {
+    /// The force and the moment at this acceleration of the wall, m/s².
+    pub fn at(&self, acceleration: f64) -> [f64; 2] {
+        [
+            self.still - self.added_mass * acceleration,
+            self.still_moment - self.added_moment * acceleration,
+        ]
+    }
 }
 
 /// The flow under a surface.
@@ -173,10 +188,14 @@ impl<'a> Flow<'a> {
                     + 0.5 * (speed * speed + v * v)
                     + GRAVITY * (up - DEPTH);
                 let weight = DENSITY * weight * top;
+                let added = weight * (unit + (at * at - up * up) / (2.0 * length));
                 force.still -= weight * head;
-                force.added_mass += weight * (unit + (at * at - up * up) / (2.0 * length));
+                force.still_moment -= weight * head * up;
+                if movable {
+                    force.added_mass += added;
+                    force.added_moment += added * up;
+                }
             }
-            force.added_mass = if movable { force.added_mass } else { 0.0 };
         }
         Ok(forces)
     }
