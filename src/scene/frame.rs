@@ -3,6 +3,7 @@
 use super::numerics::{Numerics, Scheme};
 use crate::scheme::StateEquation;
 use crate::scheme::wcsph::DensityDiffusion;
+use crate::theory::hydrostatics::wall_force;
 
 /// ν n Δt/R² of explicit viscosity. With it Taylor-Green vortices stay stable for any kernel and
 /// support radius R, with artificial viscosity added. With half as much again they do not.
@@ -57,6 +58,15 @@ impl Frame {
     /// √(h/g), s.
     pub fn unit_time(&self) -> f64 {
         (self.depth / self.acceleration()).sqrt()
+    }
+
+    /// What F* is over, N/m: the force of still water of a depth, m, on an upright wall. Without
+    /// gravity it is that of ρU² on the box's side.
+    pub fn static_force(&self, depth: f64) -> f64 {
+        if self.gravity > 0.0 {
+            return wall_force(depth, self.density, self.gravity);
+        }
+        self.density * self.speed_squared() * depth
     }
 
     /// g; if the scene has its own speed, the square of that over the depth, m/s².

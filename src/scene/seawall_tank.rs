@@ -11,7 +11,6 @@ use super::still_water::{basin, still_water, still_water_over};
 use super::tank::Tank;
 use crate::keys::ConfigError;
 use crate::math::simd::SimdPath;
-use crate::theory::hydrostatics::wall_force;
 
 /// The bed extends this many still water depths beyond a wall that may move.
 const BED_BEYOND: f64 = 12.0;
@@ -125,7 +124,7 @@ impl SceneOfKind for SeawallScene {
             ..still
         };
         let mass_behind = filling.mass_behind();
-        let static_force = wall_force(self.force_depth_m(), frame.density, frame.gravity);
+        let static_force = frame.static_force(self.force_depth_m());
         Tank {
             paddle: self.paddle(),
             absorbs: self.absorption && self.wave_height_ratio > 0.0,

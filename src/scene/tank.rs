@@ -4,7 +4,6 @@ use super::frame::Frame;
 use super::numerics::Numerics;
 use crate::body::{BodyMotion, FixedWall, Motions, Paddle, Place, Wall};
 use crate::scheme::Scheme;
-use crate::theory::hydrostatics::wall_force;
 
 /// A tank, ready to run.
 #[derive(Debug)]
@@ -62,18 +61,13 @@ impl Tank {
         numerics: &Numerics,
         spacing: f64,
     ) -> Tank {
-        let head = frame.speed_squared() * frame.depth;
         Tank {
             water,
             paddle: None,
             added: BodyMotion::default(),
             absorbs: false,
             wall: Wall::Fixed(FixedWall::ALONE),
-            static_force: if frame.gravity > 0.0 {
-                wall_force(frame.depth, frame.density, frame.gravity)
-            } else {
-                frame.density * head
-            },
+            static_force: frame.static_force(frame.depth),
             from_rest: false,
             threshold_ratio: f64::INFINITY,
             impact_ratio: f64::INFINITY,

@@ -61,7 +61,12 @@ pub fn drawing(
             reach.push(level);
         }
         let Some(y) = Axis::around(reach.into_iter(), 4.0) else { continue };
-        let titles = if column { ["t √(g/H)", "p / (ρgH)"] } else { ["t, s", "p / (ρgh)"] };
+        let shifted = cases.iter().any(|case| case.row.number(&STROKE_CENTRE).is_some());
+        let titles = match (column, shifted) {
+            (true, _) => ["t √(g/H)", "p / (ρgH)"],
+            (_, true) => ["t, s, on the papers' clock", "p / (ρgh)"],
+            _ => ["t, s", "p / (ρgh)"],
+        };
         charts.push(Chart::new((x, y), titles, ["time", name], curves).under(name, ""));
     }
     let columns = if charts.len() > 2 { 2 } else { 1 };
@@ -73,7 +78,12 @@ pub fn drawing(
     } else {
         ""
     };
-    let caption = format!("Pressure at the gauges {}.{beside}", names.join(", "));
+    let height = |name: &String| {
+        let height = heights.iter().find(|gauge| gauge.name == *name).and_then(|gauge| gauge.y_m);
+        height.map_or(name.clone(), |metres| format!("{name} ({metres} m over the bed)"))
+    };
+    let told: Vec<_> = names.iter().map(height).collect();
+    let caption = format!("Pressure at the gauges {}.{beside}", told.join(", "));
     Ok(drawn(charts, layout, caption))
 }
 

@@ -41,6 +41,7 @@ pub fn drawing(
     let Some(x) = Axis::within(times, 6.0) else { return Ok(None) };
     let on_clock = rows.iter().any(|row| row.number(&STROKE_CENTRE).is_some());
     let clock = if on_clock { "t, s, on the papers' clock" } else { "t, s" };
+    let starred = panels.iter().flat_map(|(.., panel)| &panel.curves).any(is_printed);
     let mut charts = Vec::new();
     let heights = |name: &str| {
         let own = panels.iter().filter(|(other, ..)| *other == name);
@@ -68,8 +69,19 @@ pub fn drawing(
     } else {
         String::new()
     };
-    let caption = format!("Forces are unfiltered; spikes may leave the panel.{when}");
+    let stars = match starred {
+        true => {
+            " A star stands at its printed time, or where none is printed at that of the computed maximum."
+        }
+        false => "",
+    };
+    let caption = format!("Forces are unfiltered; spikes may leave the panel.{when}{stars}");
     Ok(drawn(charts, layout, caption))
+}
+
+/// Whether a curve has stars.
+fn is_printed(curve: &Curve) -> bool {
+    curve.entry.look.is_printed() && !curve.points.is_empty()
 }
 
 fn strip(

@@ -86,11 +86,11 @@ pub fn scene(data: &Loaded, file: Option<&SceneFile>, row: &Row) -> Option<Scene
     Some(file?.config(data, index)?.scene)
 }
 
-/// ½ρgd² of a scene, N/m. d is the depth at the wall, or the still water's if the wall stands dry.
+/// What F* of a scene is over, N/m. The depth is that at the wall, or the still water's if the wall
+/// stands dry.
 fn scale(scene: &Scene) -> f64 {
     let frame = scene.frame();
-    let depth = scene.seawall().map_or(frame.depth, |scene| scene.force_depth_m());
-    0.5 * frame.density * frame.acceleration() * depth * depth
+    frame.static_force(scene.seawall().map_or(frame.depth, |scene| scene.force_depth_m()))
 }
 
 /// The depth that scales the F* of a row, m, if it is not the still water's at the paddle.
@@ -164,6 +164,18 @@ mod tests {
         let told = largest(&data, file.as_ref()).unwrap();
         assert!(told.contains("that is 0.392 kN per metre of wall"), "{told}");
         assert!(told.contains(" h of F* is the depth at the wall, 0.2 m. It is that of"), "{told}");
+    }
+
+    /// The story: vortices have no gravity, and their F* is over ρU² times the side. The page told
+    /// half of their force in newtons.
+    #[test]
+    fn a_force_without_gravity_has_a_scale_of_its_own() {
+        use crate::study::{Study, SweepFile};
+        let text =
+            "name = \"a\"\n[scene]\nkind = \"taylor-green\"\nspeed_m_per_s = 0.7\nbox_side_m = 0.5";
+        let study = Study::new(&SweepFile::read(text, &[]).unwrap()).unwrap();
+        let unit = scale(&study.cases[0].config.scene);
+        assert!((unit - 1000.0 * 0.49 * 0.5).abs() < 1e-9, "{unit}");
     }
 
     #[test]
