@@ -76,6 +76,21 @@ fn one_module_names_the_mpi_crate() {
     assert!(wrong.is_empty(), "only {} may name it: {wrong:?}", allowed.display());
 }
 
+/// The story: five files compared kinds of walls, so that whoever added one had to find them. They ask the wall now.
+#[test]
+fn kinds_of_walls_are_named_where_they_are_declared() {
+    let own = [Path::new("src/scene/seawall.rs"), Path::new("src/scene/wall_choice.rs")];
+    let names = |text: &str| {
+        let text = code(text.split("#[cfg(test)]").next().unwrap());
+        let mut kinds = text.match_indices("WallChoice::").map(|(at, of)| &text[at + of.len()..]);
+        kinds.any(|kind| kind.starts_with(char::is_uppercase))
+    };
+    let others = sources("src").into_iter().filter(|(path, _)| !own.contains(&path.as_path()));
+    let others = others.filter(|(path, _)| !path.ends_with("tests.rs"));
+    let wrong: Vec<_> = others.filter(|(_, text)| names(text)).map(|(path, _)| path).collect();
+    assert!(wrong.is_empty(), "give the wall a question in src/scene/wall_choice.rs: {wrong:?}");
+}
+
 #[test]
 fn no_file_is_too_long() {
     for (folder, longest) in LONGEST {

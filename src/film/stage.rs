@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::take::Take;
 use crate::boundary::Profile;
-use crate::scene::{CaseConfig, Scene, SeawallScene, WallChoice, Walls};
+use crate::scene::{CaseConfig, Scene, SeawallScene, WallLook, Walls};
 
 /// The wall at the end of the tank.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -20,6 +20,17 @@ pub(super) enum WallKind {
     Caisson,
     /// It is fixed, and ends in a crest that is drawn with the bed.
     Crest,
+}
+
+impl WallKind {
+    fn of(scene: &SeawallScene) -> WallKind {
+        match scene.wall.look() {
+            WallLook::Slab if scene.crest.is_some() => WallKind::Crest,
+            WallLook::Slab => WallKind::Fixed,
+            WallLook::Sprung => WallKind::Spring,
+            WallLook::Block => WallKind::Caisson,
+        }
+    }
 }
 
 /// A rectangle of the world, metres.
@@ -109,12 +120,7 @@ impl Stage {
         let spacing = config.numerics.particle_spacing_m;
         let (wall, angle) = match scene {
             _ if scene.walls() == Walls::None => (WallKind::None, 90.0),
-            Scene::Seawall(scene) => match scene.wall {
-                WallChoice::Fixed if scene.crest.is_some() => (WallKind::Crest, 90.0),
-                WallChoice::Fixed => (WallKind::Fixed, scene.wall_angle_deg),
-                WallChoice::Movable => (WallKind::Spring, 90.0),
-                WallChoice::Caisson => (WallKind::Caisson, 90.0),
-            },
+            Scene::Seawall(scene) => (WallKind::of(scene), scene.wall_angle_deg),
             Scene::Hydrostatic(scene) => (WallKind::Fixed, scene.wall_angle_deg),
             _ => (WallKind::Fixed, 90.0),
         };

@@ -11,6 +11,7 @@ use super::seawall::SeawallScene;
 use crate::boundary::{BoundaryChoice, Profile};
 use crate::scheme::isph::Laplacian;
 use crate::scheme::wcsph::Shifting;
+use crate::theory::hydrostatics::wall_force;
 
 /// Whether a case has a known limit, and the warning.
 pub(super) type Limit = (fn(&Facts<'_>) -> bool, &'static str);
@@ -35,6 +36,15 @@ pub(super) struct Facts<'a> {
     pub angle: f64,
 }
 
+/// Whether a seawall is fixed, or hardly moves whatever the wave. A coupling below 1 makes a spring
+/// as much stiffer.
+fn hardly_moves(scene: &SeawallScene) -> bool {
+    let (density, gravity) = (scene.water_density_kg_per_m3, scene.gravity_m_per_s2);
+    let depth = scene.still_water_depth_m;
+    let wall = scene.law(wall_force(scene.force_depth_m(), density, gravity));
+    wall.restraint().is_none_or(|held| held.stiffness >= STIFF * density * gravity * depth)
+}
+
 impl Facts<'_> {
     /// The facts about a case.
     pub fn of(config: &CaseConfig) -> Facts<'_> {
@@ -46,13 +56,7 @@ impl Facts<'_> {
             weakly: numerics.scheme == Scheme::Wcsph,
             wave: seawall.map_or(0.0, |scene| scene.wave_height_ratio),
             rows: seawall.map(|scene| scene.still_water_depth_m / numerics.particle_spacing_m),
-            stands: seawall.is_some_and(|scene| {
-                let pressure = scene.water_density_kg_per_m3
-                    * scene.gravity_m_per_s2
-                    * scene.still_water_depth_m;
-                let stiff = |k: f64| k >= STIFF * pressure;
-                !scene.wall.moves() || scene.spring_stiffness_n_per_m.is_some_and(stiff)
-            }),
+            stands: seawall.is_some_and(hardly_moves),
             angle: seawall.map_or(90.0, |scene| scene.wall_angle_deg),
         }
     }

@@ -2,7 +2,7 @@
 //! wall is too far.
 
 use super::contract::SceneOfKind;
-use super::seawall::{SeawallScene, WallChoice};
+use super::seawall::SeawallScene;
 
 /// A wall farther out than this X* is too far.
 pub const FARTHEST_WALL: f64 = 11.0;
@@ -19,7 +19,7 @@ const PRESSES: f64 = 4.4;
 /// X* when the run ends, or when the spring has turned the wall. `None` for other walls, waves and
 /// beds.
 pub(super) fn displacement(scene: &SeawallScene) -> Option<f64> {
-    let other = scene.wall != WallChoice::Movable || scene.bed.is_some();
+    let other = !scene.wall.has_threshold() || scene.bed.is_some();
     let stays = scene.threshold_ratio > 1.0 + PRESSES * scene.wave_height_ratio;
     if other || stays || scene.force_coupling == 0.0 {
         return None;

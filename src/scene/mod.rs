@@ -40,6 +40,7 @@ mod standing_wave;
 mod still_water;
 mod tank;
 mod taylor_green;
+mod wall_choice;
 mod water;
 
 pub use config::CaseConfig;
@@ -57,7 +58,8 @@ pub use numerics::{ErrorBars, IncompressibleNumerics, Numerics, Scheme, Slip};
 pub use odd_tally::OddTally;
 pub use preset::Preset;
 pub use probe::{CREST_COLUMNS, OVER_STILL_WATER, Probe, ProbeKind, Side};
-pub use seawall::{PaddleChoice, SeawallScene, WallChoice};
+pub use seawall::{PaddleChoice, SeawallScene};
 pub use tank::Tank;
+pub use wall_choice::{WallChoice, WallLook};
 
 pub use crate::keys::ConfigError;

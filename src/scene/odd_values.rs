@@ -9,7 +9,7 @@ use super::config::CaseConfig;
 use super::kind::Scene;
 use super::loose_wall::{self, FARTHEST_WALL};
 use super::numerics::Numerics;
-use super::seawall::{SeawallScene, WallChoice};
+use super::seawall::SeawallScene;
 use crate::keys::ConfigError;
 use crate::math::decimal::rounded_up;
 
@@ -78,7 +78,8 @@ fn density(config: &CaseConfig) -> Option<ConfigError> {
 }
 
 fn threshold(scene: &SeawallScene) -> Option<ConfigError> {
-    let gives_way = scene.wall == WallChoice::Movable && scene.threshold_ratio < 1.0;
+    let wall = scene.wall;
+    let gives_way = wall.moves() && wall.has_threshold() && scene.threshold_ratio < 1.0;
     let told = "still water alone presses with 1 and moves the wall from the first step; 1 or above \
                 lets it stand until the wave comes";
     gives_way.then(|| warning("threshold_ratio", scene.threshold_ratio, told.to_owned())).flatten()

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::crest::{Behind, CrestKeys, FloorKeys};
+use super::wall_choice::WallChoice;
 use crate::body::{
     CaissonKeys, FixedWall, GoringPaddle, Paddle, RecordedStroke, RecordedStrokeKeys, SpringWall,
     Wall, WaveTrain, WaveTrainKeys,
@@ -20,18 +21,6 @@ pub enum PaddleChoice {
     WaveTrain,
     /// It plays a stroke from a file.
     RecordedStroke,
-}
-
-/// The motion of the seawall.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum WallChoice {
-    /// It stands still.
-    Fixed,
-    /// It is mounted on a spring (Liang et al. 2017, Eqs. 16-18).
-    Movable,
-    /// It slides on its bed with Coulomb friction.
-    Caisson,
 }
 
 pub(super) const THRESHOLD_RATIO: f64 = 1.10;
@@ -105,37 +94,6 @@ section! {
         crest: CrestKeys where behind != Behind::Nothing;
         /// The floor behind it.
         floor: Box<FloorKeys> where behind.keeps();
-    }
-}
-
-impl WallChoice {
-    /// Whether this wall may move.
-    pub fn moves(self) -> bool {
-        self != WallChoice::Fixed
-    }
-
-    /// Its name, a title with its motion, and what absorbs the energy in its law of motion.
-    fn told(self) -> [&'static str; 3] {
-        match self {
-            WallChoice::Fixed => ["fixed wall", "fixed wall", "threshold device"],
-            WallChoice::Movable => ["movable wall", "wall on a spring", "threshold device"],
-            WallChoice::Caisson => ["caisson", "sliding caisson", "friction and water behind"],
-        }
-    }
-
-    /// Its name.
-    pub fn words(self) -> &'static str {
-        self.told()[0]
-    }
-
-    /// A title with its motion.
-    pub fn title(self) -> &'static str {
-        self.told()[1]
-    }
-
-    /// What absorbs the energy in this wall's law of motion.
-    pub fn resistance(self) -> &'static str {
-        self.told()[2]
     }
 }
 

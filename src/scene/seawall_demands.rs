@@ -2,9 +2,7 @@
 
 use super::leaning;
 use super::numerics::{Numerics, Scheme};
-use super::seawall::{
-    FORCE_COUPLING, PaddleChoice, SeawallScene, THRESHOLD_RATIO, WallChoice, error,
-};
+use super::seawall::{FORCE_COUPLING, PaddleChoice, SeawallScene, THRESHOLD_RATIO, error};
 use crate::body::CaissonKeys;
 use crate::keys::ConfigError;
 use crate::math::decimal::{rounded_down, rounded_up};
@@ -86,7 +84,7 @@ impl SeawallScene {
             );
             return error("wall_angle_deg", angle, &allowed);
         }
-        if !matches!(self.wall, WallChoice::Fixed | WallChoice::Movable) {
+        if !self.wall.has_threshold() {
             let keys = [
                 ("threshold_ratio", self.threshold_ratio, THRESHOLD_RATIO),
                 ("force_coupling", self.force_coupling, FORCE_COUPLING),

@@ -3,7 +3,7 @@
 use toml::{Table, Value};
 
 use crate::quantities::name_of_symbol;
-use crate::scene::{ConfigError, Kind, Place, place_of, scene_keys, unknown_keys};
+use crate::scene::{ConfigError, Kind, Place, WallChoice, place_of, scene_keys, unknown_keys};
 
 /// This many are reported after the first.
 const MOST: usize = 3;
@@ -55,7 +55,8 @@ fn apart(name: &str, scene: &Table, file: &Table) -> Option<String> {
     let own = scene.get(when.key).cloned().or_else(|| (known(when.key)?.default)())?;
     let swept = file.get("grid").is_some_and(|grid| grid.get(when.key).is_some());
     let holds = own.as_str().is_none_or(|own| when.values.contains(&own));
-    let means = if own.as_str() == Some("fixed") { ", which stands still" } else { "" };
+    let stands = own.clone().try_into().is_ok_and(|wall: WallChoice| !wall.moves());
+    let means = if stands { ", which stands still" } else { "" };
     (!swept && !holds).then(|| format!(" It belongs to {when}; here {} = {own}{means}", when.key))
 }
 

@@ -31,9 +31,9 @@ fn seawall(scene: &SeawallScene) -> String {
         (PaddleChoice::Solitary, ratio) => parts.push(value(&WAVE_HEIGHT_RATIO, ratio)),
         (paddle, _) => parts.push(name_of(paddle)),
     }
-    let angle = match (scene.wall, scene.wall_angle_deg) {
-        (WallChoice::Fixed, angle) if angle != 90.0 => format!(" of {}°", plain(angle)),
-        _ => String::new(),
+    let angle = match scene.wall_angle_deg {
+        90.0 => String::new(),
+        angle => format!(" of {}°", plain(angle)),
     };
     parts.push(format!("{}{angle}", scene.wall.words()));
     parts.extend(scene.spring_stiffness_n_per_m.map(|k| value(&SPRING_STIFFNESS, k)));

@@ -192,4 +192,6 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
         count(&tank, &format!("particle_spacing_m = {}", depth / 20.0))
     };
     assert_eq!([spring("1e4", 0.2), spring("1e4", 2.0), spring("1e5", 2.0)], [1, 0, 1], "k/(ρgh)");
+    let coupled = ["4.1e3", "3.9e3"].map(|k| spring(&format!("{k}\nforce_coupling = 0.4"), 0.2));
+    assert_eq!(coupled, [1, 0], "a wall that feels less of the force moves as little");
 }

@@ -2,7 +2,7 @@
 
 use crate::keys::ConfigError;
 use crate::scene::probe::{Probe, ProbeKind};
-use crate::scene::seawall::{SeawallScene, WallChoice};
+use crate::scene::seawall::SeawallScene;
 
 /// Sums of decimals have smaller errors than this, metres.
 const ROUNDING: f64 = 1e-9;
@@ -34,7 +34,7 @@ fn buried(scene: &SeawallScene, probes: &[Probe]) -> Option<ConfigError> {
 
 /// Under a crest, and under the floor behind it, there is no water.
 fn walled_in(scene: &SeawallScene, probes: &[Probe]) -> Option<ConfigError> {
-    let crest = scene.crest.as_ref().filter(|_| scene.wall == WallChoice::Fixed)?;
+    let crest = scene.crest.as_ref()?;
     let face = scene.tank_length_m;
     let back = face + crest.crest_width_m;
     let top = scene.still_water_depth_m + crest.crest_freeboard_m;
@@ -110,7 +110,7 @@ fn roofed(scene: &SeawallScene, probes: &[Probe]) -> Option<ConfigError> {
 /// Otherwise it does not.
 fn outside(scene: &SeawallScene, probes: &[Probe]) -> Option<ConfigError> {
     let flies_on = scene.crest.is_some() && scene.floor.is_none();
-    if scene.wall != WallChoice::Fixed || scene.wall_angle_deg > 90.0 || flies_on {
+    if scene.wall.moves() || scene.wall_angle_deg > 90.0 || flies_on {
         return None;
     }
     let end = scene.tank_length_m + scene.behind_m()[0];

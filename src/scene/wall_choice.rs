@@ -1,0 +1,104 @@
+//! The kinds of walls at the end of a wave tank, and what sets each apart from the others.
+//!
+//! Others ask what a wall does, and name no kind.
+
+use serde::{Deserialize, Serialize};
+
+/// The motion of the seawall.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum WallChoice {
+    /// It stands still.
+    Fixed,
+    /// It is mounted on a spring (Liang et al. 2017, Eqs. 16-18).
+    Movable,
+    /// It slides on its bed with Coulomb friction.
+    Caisson,
+}
+
+/// How a wall looks in a film.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum WallLook {
+    /// A slab.
+    Slab,
+    /// A slab with a spring behind it.
+    Sprung,
+    /// A broad block.
+    Block,
+}
+
+/// What sets a kind of wall apart.
+struct Nature {
+    /// Its name.
+    words: &'static str,
+    /// A title with its motion.
+    title: &'static str,
+    /// What absorbs the energy in its law of motion.
+    resistance: &'static str,
+    /// Whether it may move.
+    moves: bool,
+    /// Whether the keys `threshold_ratio` and `force_coupling` say when it moves, and how much.
+    has_threshold: bool,
+    look: WallLook,
+}
+
+impl WallChoice {
+    fn nature(self) -> Nature {
+        match self {
+            WallChoice::Fixed => Nature {
+                words: "fixed wall",
+                title: "fixed wall",
+                resistance: "threshold device",
+                moves: false,
+                has_threshold: true, // of the movable walls that it stands for
+                look: WallLook::Slab,
+            },
+            WallChoice::Movable => Nature {
+                words: "movable wall",
+                title: "wall on a spring",
+                resistance: "threshold device",
+                moves: true,
+                has_threshold: true,
+                look: WallLook::Sprung,
+            },
+            WallChoice::Caisson => Nature {
+                words: "caisson",
+                title: "sliding caisson",
+                resistance: "friction and water behind",
+                moves: true,
+                has_threshold: false,
+                look: WallLook::Block,
+            },
+        }
+    }
+
+    /// Its name.
+    pub fn words(self) -> &'static str {
+        self.nature().words
+    }
+
+    /// A title with its motion.
+    pub fn title(self) -> &'static str {
+        self.nature().title
+    }
+
+    /// What absorbs the energy in this wall's law of motion.
+    pub fn resistance(self) -> &'static str {
+        self.nature().resistance
+    }
+
+    /// Whether this wall may move.
+    pub fn moves(self) -> bool {
+        self.nature().moves
+    }
+
+    /// Whether the keys `threshold_ratio` and `force_coupling` say when it moves, and how much.
+    pub(super) fn has_threshold(self) -> bool {
+        self.nature().has_threshold
+    }
+
+    /// How it looks in a film.
+    pub fn look(self) -> WallLook {
+        self.nature().look
+    }
+}
