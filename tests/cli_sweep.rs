@@ -9,6 +9,7 @@ use std::time::{Duration, Instant};
 use common::{
     Desk, TINY, TINY_CASES, assert_same, column, ended, expect_code, journal_lines, seawall, sweep,
 };
+use seawall::scene::{Kind, scene_keys};
 
 #[test]
 fn threads_and_branches_do_not_change_a_bit() {
@@ -191,7 +192,7 @@ const BAD: &[(&str, &[&str], &str)] = &[
     (
         "name = \"a\"\n[grid]\nspring_stiffness_n_per_m = [1]",
         &[],
-        "grid.spring_stiffness_n_per_m = 1: belongs to wall = \"movable\"",
+        "grid.spring_stiffness_n_per_m = 1: belongs to {walls with springs}",
     ),
     (TINY, &["--set", "numerics.kernel=gauss"], "numerics.kernel = \"gauss\": must be one of wend"),
     (
@@ -215,7 +216,11 @@ const BAD: &[(&str, &[&str], &str)] = &[
 
 #[test]
 fn bad_input_is_told_in_one_line_and_nothing_is_written() {
+    let keys = scene_keys(Kind::Seawall);
+    let spring = keys.iter().find(|key| key.name == "spring_stiffness_n_per_m").unwrap();
+    let springs = spring.rule.only.unwrap().to_string();
     for (text, further, message) in BAD {
+        let message = message.replace("{walls with springs}", &springs);
         let desk = Desk::new(text);
         let told = sweep(2, &desk.file, &desk.out, further).err;
         let expected = format!("error: {}: {message}", desk.file);

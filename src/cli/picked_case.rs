@@ -209,10 +209,11 @@ pub(super) mod tests {
             let study = Study::new(&SweepFile::read(&text, &[]).unwrap()).unwrap();
             the_case(&study, &[word.to_owned()]).unwrap_err().to_string()
         };
-        let spring = "spring_stiffness_n_per_m belongs to wall = \"movable\"; wall is \"fixed\" in every case here";
-        assert_eq!(told("", "k=3"), format!("k=3: {spring}"));
-        let long = "spring_stiffness_n_per_m=3";
-        assert_eq!(told("wall = \"fixed\"", long), format!("{long}: {spring}"));
+        let key = "spring_stiffness_n_per_m";
+        let whose = crate::scene::belongs(key) + "; wall is \"fixed\" in every case here";
+        assert_eq!(told("", "k=3"), format!("k=3: {key} {whose}"));
+        let long = format!("{key}=3");
+        assert_eq!(told("wall = \"fixed\"", &long), format!("{long}: {key} {whose}"));
         let stroke = told("", "wave_period_s=1");
         assert!(stroke.contains("belongs to paddle = \"wave-train\"; paddle is"), "{stroke}");
         assert!(told("", "colour=3").starts_with("colour: unknown key"));

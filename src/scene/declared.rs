@@ -40,6 +40,13 @@ pub fn scene_keys(kind: Kind) -> Vec<&'static Key> {
     [OfKind::keys(), kind.keys()].concat()
 }
 
+/// Where a key of `[scene]` in a wave tank belongs, as errors say it: `belongs to wall = "movable"`.
+#[cfg(test)]
+pub(crate) fn belongs(key: &str) -> String {
+    let key = scene_keys(Kind::Seawall).into_iter().find(|own| own.name == key);
+    format!("belongs to {}", key.unwrap().rule.only.unwrap())
+}
+
 /// The keys of `[numerics]`.
 pub fn numerics_keys() -> Vec<&'static Key> {
     [Base::keys(), Numerics::keys()].concat()

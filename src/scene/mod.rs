@@ -46,6 +46,8 @@ mod water;
 pub use config::CaseConfig;
 pub use contract::Walls;
 pub use crest::Behind;
+#[cfg(test)]
+pub(crate) use declared::belongs;
 pub use declared::{
     Place, numerics_keys, place_of, probe_keys, scene_keys, takes_whole, unknown_keys,
 };

@@ -78,6 +78,7 @@ fn in_sections(file: &Table) -> Vec<ConfigError> {
 
 #[cfg(test)]
 mod tests {
+    use crate::scene::belongs;
     use crate::study::SweepFile;
 
     fn told(text: &str) -> String {
@@ -122,14 +123,14 @@ mod tests {
     /// `--set k=3` with a fixed wall once named the spring's key, which was then refused.
     #[test]
     fn a_symbol_of_another_wall_is_told_with_that_wall() {
-        let asked = "scene.k: unknown key; did you mean scene.spring_stiffness_n_per_m? It belongs to \
-                     wall = \"movable\"; here wall = \"fixed\", which stands still";
+        let belongs = belongs("spring_stiffness_n_per_m");
+        let asked = format!(
+            "scene.k: unknown key; did you mean scene.spring_stiffness_n_per_m? It {belongs}; here \
+             wall = \"fixed\", which stands still"
+        );
         assert_eq!(told("name = \"a\"\n[scene]\nk = 10"), asked);
         let caisson = told("name = \"a\"\n[scene]\nwall = \"caisson\"\nk = 10");
-        assert!(
-            caisson.ends_with("belongs to wall = \"movable\"; here wall = \"caisson\""),
-            "{caisson}"
-        );
+        assert!(caisson.ends_with(&format!("{belongs}; here wall = \"caisson\"")), "{caisson}");
     }
 
     #[test]

@@ -1,4 +1,5 @@
 use super::*;
+use crate::scene::belongs;
 
 fn cases(text: &str) -> Result<Vec<Case>, ConfigError> {
     expand(&SweepFile::read(&format!("name = \"a\"\n{text}"), &[]).unwrap())
@@ -46,15 +47,14 @@ fn every_wall_and_every_paddle_takes_its_own_keys() {
 /// More bad grids are in `tests/bad_inputs`.
 #[test]
 fn every_bad_grid_is_told_with_its_key() {
+    let spring =
+        format!("grid.spring_stiffness_n_per_m = 1: {}", belongs("spring_stiffness_n_per_m"));
     let bad = [
         (
             "[grid]\nparticle_spacing_m = [0.02, 1e-5]",
             "grid.particle_spacing_m = 0.00001: would cut 0.5 m² of water into 5,000,000,000",
         ),
-        (
-            "[grid]\nspring_stiffness_n_per_m = [1]",
-            "grid.spring_stiffness_n_per_m = 1: belongs to wall = \"movable\"",
-        ),
+        ("[grid]\nspring_stiffness_n_per_m = [1]", &spring),
         (
             "[numerics]\nkernel = \"gaussian\"\n[grid]\nkernel = [\"gaussian\"]",
             "numerics.kernel = \"gaussian\": stands in [numerics] and in [grid]",
