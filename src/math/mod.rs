@@ -1,5 +1,5 @@
 //! SIMD lanes, sparse systems, threads that share the work of one case, scales and curves through points,
-//! lists, words, comma-separated text, checksums, large pages.
+//! lists, words, roots, comma-separated text, checksums, large pages.
 
 pub mod bend;
 pub mod comma;
@@ -9,6 +9,7 @@ pub mod digest;
 pub mod large_pages;
 pub mod lists;
 pub mod name;
+pub mod root;
 pub mod scale;
 pub mod simd;
 pub mod sparse;

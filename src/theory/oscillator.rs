@@ -1,5 +1,7 @@
 //! The undamped spring-mass system under a constant force, exactly.
 
+use crate::math::root::bisected;
+
 /// Position and velocity of a mass.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OscillatorState {
@@ -53,12 +55,8 @@ impl Oscillator {
         for k in 1..=pieces as usize {
             let end = within * k as f64 / pieces;
             if below(end) {
-                let (mut low, mut high) = (start, end);
-                for _ in 0..60 {
-                    let middle = 0.5 * (low + high);
-                    if below(middle) { high = middle } else { low = middle }
-                }
-                return Some(high);
+                let [_, first] = bisected([start, end], below);
+                return Some(first);
             }
             start = end;
         }

@@ -15,6 +15,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use num_complex::Complex64 as Complex;
 
+use crate::math::root::bisected;
+
 /// Number of evanescent modes. The error falls as the inverse of this number, so a sum over half of
 /// them gives the rest.
 const MODES: u32 = 40;
@@ -86,11 +88,7 @@ pub fn damping(deep: f64) -> f64 {
 pub fn fading(deep: f64, number: u32) -> f64 {
     // The root lies between (n - ½)π and nπ, where κ tan κ rises from -∞ to 0.
     let end = f64::from(number) * PI;
-    let (mut low, mut high) = (end - FRAC_PI_2, end);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if middle * libm::tan(middle) < -deep { low = middle } else { high = middle }
-    }
+    let [low, _] = bisected([end - FRAC_PI_2, end], |kh| kh * libm::tan(kh) >= -deep);
     low
 }
 
