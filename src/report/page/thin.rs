@@ -1,5 +1,8 @@
 //! Histories as drawings: few points of each curve, as text that a script reads back.
 
+use base64::Engine;
+use base64::engine::general_purpose::URL_SAFE_NO_PAD;
+
 use crate::math::lists::ends;
 use crate::quantities::history::{DISPLACEMENT, FORCE, RUNUP};
 use crate::report::series::History;
@@ -9,9 +12,8 @@ use crate::report::series::History;
 const FINEST: f64 = 1.0 / 400.0;
 /// Points of a curve.
 const MOST: usize = 110;
-/// A number has twelve bits, a letter six. No letter has a meaning in HTML or JSON.
+/// A number has twelve bits: two of them three bytes, which are four letters of base64.
 const LEVELS: f64 = 4095.0;
-const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 
 /// The curves of one case as text with spaces. The first and the last time come first. Then each
 /// curve has its symbol, lowest and highest value, and points. Curves with one single value are
@@ -66,14 +68,14 @@ fn keep(points: &[(f64, f64)], from: usize, to: usize, off: f64, kept: &mut Vec<
     }
 }
 
-/// Four letters to a point: time and value.
+/// Four letters to a point: time and value. No letter has a meaning in HTML or JSON.
 fn packed(points: &[(f64, f64)]) -> String {
-    let letter = |index: u16| char::from(LETTERS[usize::from(index & 63)]);
-    let pair = |share: f64| {
-        let level = (share.clamp(0.0, 1.0) * LEVELS).round() as u16;
-        [letter(level >> 6), letter(level)]
+    let level = |share: f64| (share.clamp(0.0, 1.0) * LEVELS).round() as u32;
+    let bytes = |point: &(f64, f64)| {
+        let [_, first, second, third] = (level(point.0) << 12 | level(point.1)).to_be_bytes();
+        [first, second, third]
     };
-    points.iter().flat_map(|point| [pair(point.0), pair(point.1)]).flatten().collect()
+    URL_SAFE_NO_PAD.encode(points.iter().flat_map(bytes).collect::<Vec<_>>())
 }
 
 #[cfg(test)]
@@ -110,6 +112,14 @@ mod tests {
         assert_eq!(words.len(), 6, "a runup of 0 throughout has no curve: {text}");
         assert!(words[5].len() <= 4 * MOST && words[5].starts_with("AA"));
         assert!(words[5][words[5].len() - 4..].starts_with("__"), "{text}");
+    }
+
+    /// The page's script reads these letters.
+    #[test]
+    fn a_point_has_four_letters() {
+        let letters =
+            packed(&[(0.0, 1.0), (0.5, 64.0 / LEVELS), (1.5, -1.0), (1.0, 62.0 / LEVELS)]);
+        assert_eq!(letters, "AA__gABA__AA__A-");
     }
 
     #[test]
