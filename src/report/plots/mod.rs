@@ -35,7 +35,7 @@ pub(super) use fixed_wall::{figures as at_fixed_walls, sides, walls as fixed_wal
 pub(super) use legend::Entry;
 pub(super) use look::Look;
 pub(super) use marks::{key, point as case_point};
-pub(super) use over_time::{Line, Strip, lasting, strips};
+pub(super) use over_time::{Line, Strip, lasting, strips, thinned};
 pub(super) use printed::{
     PRINTED, coloured as printed_in_colour, entry as printed_entry, point as printed_point,
 };

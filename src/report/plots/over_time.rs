@@ -7,8 +7,8 @@ use super::look::Look;
 use super::sheet::{Drawing, PANELS};
 use crate::quantities::history::TIME;
 
-/// A panel is some 250 pixels wide: this is about two points per pixel.
-const BUCKETS: usize = 150;
+/// Points of a curve, at most. A panel is some 250 pixels wide.
+const MOST: usize = 300;
 
 /// Points over time: time in seconds and value.
 type Points = Vec<(f64, f64)>;
@@ -65,7 +65,7 @@ impl Strip {
     }
 
     fn chart(&self, x: &Axis) -> Option<Chart> {
-        let curve = |line: &Line| Curve::through(line.entry.clone(), thin(&line.points));
+        let curve = |line: &Line| Curve::through(line.entry.clone(), thinned(&line.points, MOST));
         let curves = self.curves.iter().map(curve).collect();
         let (axes, titles) = ((x.clone(), self.axis()?), [TIME.unit.axis(), &self.title]);
         let chart = Chart::new(axes, titles, [TIME.name, &self.name], curves);
@@ -93,9 +93,9 @@ pub fn lasting(points: &[(f64, f64)]) -> Vec<f64> {
     if values.len() < 5 { values } else { values.windows(5).map(middle).collect() }
 }
 
-/// Fewer points with the same peaks: the lowest and highest of every bucket, in order.
-fn thin(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
-    let size = points.len().div_ceil(BUCKETS);
+/// At most so many points with the same peaks: the lowest and highest of every bucket, in order.
+pub fn thinned(points: &[(f64, f64)], most: usize) -> Vec<(f64, f64)> {
+    let size = points.len().div_ceil(most / 2);
     if size < 3 {
         return points.to_vec();
     }
@@ -123,8 +123,8 @@ mod tests {
     #[test]
     fn thinning_keeps_the_peak() {
         let points: Vec<_> = (0..5000).map(|i| (f64::from(i), f64::from(i % 977))).collect();
-        let thinned = thin(&points);
-        assert!(thinned.len() <= 2 * BUCKETS);
+        let thinned = thinned(&points, MOST);
+        assert!(thinned.len() <= MOST);
         assert!(thinned.iter().any(|point| point.1 == 976.0));
         assert!(thinned.windows(2).all(|pair| pair[0].0 <= pair[1].0));
     }

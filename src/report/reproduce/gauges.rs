@@ -6,7 +6,9 @@ use crate::papers::PAPER_CLOCK_CENTRE_S;
 use crate::quantities::summary::STROKE_CENTRE;
 use crate::report::config::{Config, gauges};
 use crate::report::error::ReportError;
-use crate::report::plots::{Axis, Chart, Curve, Entry, Layout, Look, Point, lasting, places};
+use crate::report::plots::{
+    Axis, Chart, Curve, Entry, Layout, Look, Point, lasting, places, thinned,
+};
 use crate::report::row::Row;
 use crate::report::series::History;
 
@@ -49,7 +51,7 @@ pub fn drawing(
             let points = case.points(name, column);
             reach.extend(if measured { bulk(&points) } else { lasting(&points) });
             let key = format!("case={}", case.row.id());
-            curves.push(Curve::through(Entry::line(word, *look).keyed(key), thin(&points)));
+            curves.push(curve(Entry::line(word, *look).keyed(key), &points));
         }
         let Some(x) = Axis::within(places(&curves), 7.0) else { continue };
         if measured {
@@ -107,9 +109,8 @@ impl Case<'_> {
     }
 }
 
-/// Evenly picked points, as many as a panel takes.
-fn thin(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
-    points.iter().copied().step_by(points.len().div_ceil(MOST).max(1)).collect()
+fn curve(entry: Entry, points: &[(f64, f64)]) -> Curve {
+    Curve::through(entry, thinned(points, MOST))
 }
 
 /// The values without the highest and lowest hundredth: an impact would squash the rest.
@@ -121,12 +122,12 @@ fn bulk(points: &[(f64, f64)]) -> Vec<f64> {
 }
 
 fn measurements() -> Curve {
-    let numbers = MEASURED.lines().filter_map(|line| {
-        let (time, pressure) = line.split_once(',')?;
-        let (x, y) = (time.parse().ok()?, pressure.parse().ok()?);
-        Some(Point { x, y, open: true, ..Point::default() })
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(MEASURED.as_bytes());
+    let points = reader.deserialize().map(|row| {
+        let (x, y) = row.expect("a shipped file has numbers");
+        Point { x, y, open: true, ..Point::default() }
     });
-    Curve { entry: Entry::dots("measured", Look::plain(), false), points: numbers.collect() }
+    Curve { entry: Entry::dots("measured", Look::plain(), false), points: points.collect() }
 }
 
 #[cfg(test)]
@@ -139,6 +140,15 @@ mod tests {
         (points[50].1, points[60].1) = (9.0, -9.0);
         assert_eq!(bulk(&points), [1.0; 196]);
         assert_eq!(bulk(&points[..1]), [1.0]);
+    }
+
+    /// The story: of a long record each second point was drawn, and a peak between two was not.
+    #[test]
+    fn a_short_peak_is_drawn() {
+        let mut points: Vec<_> = (0..1200).map(|k| (f64::from(k), 0.0)).collect();
+        points[501].1 = 9.0;
+        let drawn = curve(Entry::line("a", Look::plain()), &points);
+        assert!(drawn.points.len() <= MOST && drawn.points.iter().any(|point| point.y == 9.0));
     }
 
     #[test]
