@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::Path;
 
+use crate::math::comma::csv;
 use crate::results::CaseRecord;
 use crate::simulation::Outcome;
 use crate::study::Study;
@@ -76,12 +77,13 @@ pub(super) fn tell<'a>(
     study: &Study,
     directory: &Path,
 ) -> std::io::Result<()> {
-    let line = |one: &Highlight| format!("{},\"{}\"\n", study.cases[one.index].id, one.reason);
-    let lines: String = filmed.map(line).collect();
-    if lines.is_empty() {
+    let row = |one: &Highlight| [study.cases[one.index].id.to_string(), one.reason.clone()];
+    let mut rows = vec![["case_id", "reason"].map(str::to_owned)];
+    rows.extend(filmed.map(row));
+    if rows.len() == 1 {
         return Ok(());
     }
-    fs::write(directory.join(REASONS), format!("case_id,reason\n{lines}"))
+    fs::write(directory.join(REASONS), csv(rows))
 }
 
 #[cfg(test)]
