@@ -35,32 +35,27 @@ pub(super) struct Clock {
     pub(super) looks: Looks,
 }
 
-/// Changes whenever the state's layout does.
-const VERSION: &[u8] = b"seawall checkpoint 10\n";
-
 /// Length of the hash that binds a checkpoint to its trunk.
 const HASH: usize = 32;
 
-/// The bytes of a state, marked with the hash of its trunk.
+/// The bytes of a state, marked with the hash of its trunk. Their layout is that of the build: files
+/// of other builds are refused by what stands before the state, and ranks all have one build.
 pub(super) fn encode(state: &RunState, config: &CaseConfig) -> Vec<u8> {
-    let mut bytes = VERSION.to_vec();
-    bytes.extend(trunk_hash(config));
-    postcard::to_extend(state, bytes).expect("a state always serialises")
+    postcard::to_extend(state, trunk_hash(config).to_vec()).expect("a state always serialises")
 }
 
 /// Reads a state back.
 ///
 /// # Errors
-/// Another version, another trunk, or damaged bytes.
+/// Another trunk, or damaged bytes.
 pub(super) fn decode(bytes: &[u8], config: &CaseConfig) -> Result<RunState, Failure> {
     let unreadable = |detail: &str| Failure {
         kind: FailureKind::CheckpointUnreadable,
         time_s: 0.0,
         detail: detail.to_owned(),
     };
-    let rest = bytes.strip_prefix(VERSION).ok_or_else(|| unreadable("made by another version"))?;
     let (hash, state) =
-        rest.split_at_checked(HASH).ok_or_else(|| unreadable("the checkpoint is cut short"))?;
+        bytes.split_at_checked(HASH).ok_or_else(|| unreadable("the checkpoint is cut short"))?;
     if hash != trunk_hash(config) {
         return Err(unreadable("the checkpoint belongs to another trunk"));
     }
