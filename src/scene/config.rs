@@ -94,7 +94,8 @@ impl CaseConfig {
     }
 
     /// The same tank before any wave. It decides how its water comes to rest, except for the room
-    /// that the paddle needs.
+    /// that the paddle needs. Waves that differ in a key that is forgotten here bring their water to
+    /// rest anew, to the same bits.
     pub fn before_wave(&self) -> CaseConfig {
         let mut config = self.trunk().unwrap_or_else(|| self.without_error_bars());
         if let Scene::Seawall(scene) = &mut config.scene {

@@ -163,7 +163,8 @@ impl SeawallScene {
     }
 
     /// The same scene with its wall held, and without the keys of its motion. A wall whose own keys
-    /// say what holds it keeps its kind, without a mass.
+    /// say what holds it keeps its kind, without a mass. Cases that differ in a key that is forgotten
+    /// here compute their start twice, to the same bits.
     pub(super) fn held(&self) -> SeawallScene {
         let wall = match self.wall {
             WallChoice::Fixed | WallChoice::Movable => WallChoice::Fixed,
