@@ -12,7 +12,7 @@ use crate::quantities::summary::{CASE_ID, DOUBTFUL};
 use crate::report::find::{Basis, Boundary, Found, Reading, Verdict};
 use crate::report::load::Loaded;
 use crate::report::study::Key;
-use crate::report::{digits_apart, plain_to};
+use crate::report::{as_typed_to, digits_apart};
 
 /// How many rows of a table are shown without `-v`.
 const ROWS: usize = 30;
@@ -36,7 +36,7 @@ impl<'a> Answer<'a> {
     }
 
     /// The answer for people.
-    pub(super) fn told(&self, all: bool) -> String {
+    pub(super) fn text(&self, all: bool) -> String {
         let met: Vec<_> = self.found.rows(Verdict::Met).collect();
         let cases = counted(self.data.rows.len(), "case");
         let meet = if met.len() == 1 { "meets" } else { "meet" };
@@ -111,7 +111,7 @@ impl<'a> Answer<'a> {
             "" => "-".to_owned(),
             cell => cell
                 .parse()
-                .map_or_else(|_| cell.to_owned(), |value| plain_to(value, self.digits[key])),
+                .map_or_else(|_| cell.to_owned(), |value| as_typed_to(value, self.digits[key])),
         }
     }
 

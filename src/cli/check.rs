@@ -10,7 +10,7 @@ use super::input::{Expect, Setting, study};
 use super::output::Output;
 use super::table::Table;
 use super::{SUCCESS, max_error};
-use crate::keys::{Shared, brief};
+use crate::keys::{Shared, shortened};
 use crate::study::{Study, schema};
 
 /// Check a sweep or scene file, and list its cases and what they cost. Nothing runs.
@@ -59,7 +59,7 @@ pub(super) fn main(args: &CheckArgs, output: &Output) -> anyhow::Result<u8> {
 pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::Result<u8> {
     let expected = Expected::of(study, branching)?;
     let rows = if output.verbose { usize::MAX } else { ROWS };
-    output.result(&(first_cases(study, rows) + &expected.told()), &expected.json())?;
+    output.result(&(first_cases(study, rows) + &expected.text()), &expected.json())?;
     Ok(SUCCESS)
 }
 
@@ -69,7 +69,7 @@ fn first_cases(study: &Study, rows: usize) -> String {
         Table::new(["case", "id"].into_iter().chain(study.keys.iter().map(String::as_str)));
     for case in study.cases.iter().take(rows) {
         let value = |value: &Option<Shared<toml::Value>>| match value {
-            Some(value) => brief(&value.to_string()),
+            Some(value) => shortened(&value.to_string()),
             None => "-".to_owned(),
         };
         let place = [case.index.to_string(), case.id.to_string()];

@@ -77,7 +77,7 @@ pub(super) fn main(args: &CompareArgs, output: &Output) -> anyhow::Result<u8> {
         .as_ref()
         .map(|out| save(out, &table(&comparison).csv(), figure(&comparison).as_ref()));
     let files = files.transpose()?;
-    let mut text = told(directories, &comparison, output.verbose);
+    let mut text = text(directories, &comparison, output.verbose);
     for file in files.iter().flatten() {
         text.push_str(&format!("{}\n", named(file)));
     }
@@ -117,7 +117,7 @@ fn save(out: &Path, table: &str, figure: Option<&Figure>) -> anyhow::Result<Vec<
     Ok(files)
 }
 
-fn told(directories: [&Path; 2], comparison: &Comparison, all: bool) -> String {
+fn text(directories: [&Path; 2], comparison: &Comparison, all: bool) -> String {
     let mut text = String::new();
     for (one, directory) in directories.iter().enumerate() {
         let (name, finished) = (&comparison.names[one], comparison.finished[one]);

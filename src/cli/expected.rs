@@ -62,7 +62,7 @@ impl Expected<'_> {
     }
 
     /// The lines for people.
-    pub(super) fn told(&self) -> String {
+    pub(super) fn text(&self) -> String {
         let (study, plan) = (self.study, &self.plan);
         let line = |name: &str, value: String| format!("{name:<19} {value}\n");
         let mut text = "\n".to_owned();

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::table::Table;
-use crate::keys::brief;
+use crate::keys::shortened;
 use crate::math::name::name_of;
 use crate::math::words::counted;
 use crate::results::Fared;
@@ -43,10 +43,11 @@ impl FailedCases {
     }
 
     /// The table for people.
-    pub(super) fn told(&self) -> String {
+    pub(super) fn text(&self) -> String {
         let mut table = Table::default();
         for (key, values) in &self.values {
-            let counts = values.iter().map(|(value, count)| format!("{} ({count})", brief(value)));
+            let counts =
+                values.iter().map(|(value, count)| format!("{} ({count})", shortened(value)));
             let more = values.len().saturating_sub(MOST_VALUES);
             let more = (more > 0).then(|| counted(more, "other") + " (--format json has all)");
             let counts: Vec<_> = counts.take(MOST_VALUES).chain(more).collect();

@@ -87,7 +87,7 @@ pub(super) fn exit_code(result: anyhow::Result<u8>, launcher: Launcher, as_json:
     if launcher.rank > 0 || is_broken_pipe(&error) {
         return SUCCESS;
     }
-    let line = shown(&told(&error).replace('\n', " "));
+    let line = shown(&message(&error).replace('\n', " "));
     let code = if is_bad_input(&error) { BAD_INPUT } else { INTERNAL };
     if as_json {
         print(&object(&error, &line, code));
@@ -156,7 +156,7 @@ fn line_and_rest(text: &str) -> (Option<u64>, &str) {
 }
 
 /// An error and its causes, without causes that the line ends with already.
-fn told(error: &anyhow::Error) -> String {
+fn message(error: &anyhow::Error) -> String {
     let mut line = String::new();
     for cause in error.chain() {
         let cause = cause.downcast_ref().map_or_else(|| cause.to_string(), in_words);
@@ -223,11 +223,11 @@ mod tests {
     #[test]
     fn a_cause_is_told_once() {
         let error = anyhow::anyhow!("disk full").context("cannot write a: disk full");
-        assert_eq!(told(&error), "cannot write a: disk full");
-        assert_eq!(told(&anyhow::anyhow!("b").context("a")), "a: b");
+        assert_eq!(message(&error), "cannot write a: disk full");
+        assert_eq!(message(&anyhow::anyhow!("b").context("a")), "a: b");
         let full = anyhow::Error::from(std::io::Error::from_raw_os_error(28));
         assert_eq!(
-            told(&full.context("standard output")),
+            message(&full.context("standard output")),
             "standard output: no space left on device"
         );
     }

@@ -47,6 +47,6 @@ pub(super) fn main(args: &FindArgs, output: &Output) -> anyhow::Result<u8> {
     }
     let found = find(&args.condition, &data).map_err(BadInput)?;
     let answer = Answer::new(&data, &found);
-    output.result(&answer.told(output.verbose), &output.value(|| answer.value()))?;
+    output.result(&answer.text(output.verbose), &output.value(|| answer.value()))?;
     Ok(SUCCESS)
 }

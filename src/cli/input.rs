@@ -87,7 +87,7 @@ pub(super) struct FileKind {
 
 impl FileKind {
     /// What to give.
-    pub(super) fn told(self) -> String {
+    pub(super) fn advice(self) -> String {
         format!("give {}{}", self.file, self.help)
     }
 }
@@ -118,7 +118,7 @@ fn unreadable(path: &Path, error: &std::io::Error, wanted: FileKind) -> BadInput
         let such = named(&path.join("NAME.toml"));
         format!("is a directory; give {}, such as {such}", wanted.file)
     } else {
-        format!("{}; {}", in_words(error), wanted.told())
+        format!("{}; {}", in_words(error), wanted.advice())
     };
     BadInput::of(path, reason)
 }

@@ -8,7 +8,7 @@ use crate::report::Reproduced;
 const WIDTH: usize = 80;
 
 /// Caption, numbers and sentences.
-pub(super) fn told(made: &Reproduced) -> String {
+pub(super) fn text(made: &Reproduced) -> String {
     let mut text = prose(&made.figure.caption);
     if !made.beside.rows.is_empty() {
         text.push_str(&format!("\n{}", numbers(made)));

@@ -66,7 +66,7 @@ pub(super) fn run(
     let name = args.file.as_ref().map_or_else(built_in, |path| named(path));
     let told = |error| BadInput(format!("{name}: {error}"));
     if is_of_study(&text) {
-        let told = format!("{name}: is a sweep or scene file; {}", MATRIX.told());
+        let told = format!("{name}: is a sweep or scene file; {}", MATRIX.advice());
         return Err(BadInput(told).into());
     }
     let whole = Matrix::read(&text).map_err(told)?;

@@ -15,7 +15,7 @@ use crate::quantities::summary::{
     RUNUP_MAX, STATUS,
 };
 use crate::quantities::{Bars, Case, Column, coarse_spacings, heading, named};
-use crate::report::{digits_apart, plain_to};
+use crate::report::{as_typed_to, digits_apart};
 use crate::results::CaseRecord;
 use crate::simulation::kinds_of_doubt;
 
@@ -52,7 +52,7 @@ const MAXIMA: &str = "max: of the whole run";
 const FIRST: &str = "; first, here or in summary.csv: of the first impact";
 
 /// The words on the cases, and where the report is.
-pub(super) fn told(job: &Job, done: &Done, report: &Path, all: bool) -> String {
+pub(super) fn text(job: &Job, done: &Done, report: &Path, all: bool) -> String {
     of_cases(job, done, all) + &reported(report)
 }
 
@@ -149,7 +149,7 @@ fn swept((value, digits): (&Option<Shared<toml::Value>>, &usize)) -> String {
     match value.as_deref() {
         Some(toml::Value::String(text)) => text.clone(),
         Some(value) => keys::number(value)
-            .map_or_else(|| value.to_string(), |number| plain_to(number, *digits)),
+            .map_or_else(|| value.to_string(), |number| as_typed_to(number, *digits)),
         None => "-".to_owned(),
     }
 }

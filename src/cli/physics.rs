@@ -33,7 +33,7 @@ const TOLD: usize = 4;
 impl Line {
     /// The values, or the first of many. Readers know what the file says.
     pub(super) fn text(&self, file: &str) -> String {
-        let first = self.values.iter().take(MOST).map(|value| brief(value, file));
+        let first = self.values.iter().take(MOST).map(|value| rounded(value, file));
         let mut text = first.collect::<Vec<_>>().join(", ");
         if self.values.len() > MOST {
             text += &format!(", ... ({} values)", self.values.len());
@@ -43,7 +43,7 @@ impl Line {
 }
 
 /// A value with few digits, if it is long and not in the file.
-fn brief(value: &str, file: &str) -> String {
+fn rounded(value: &str, file: &str) -> String {
     let derived = |number: &f64| significant(*number, WRITTEN) != *number && !file.contains(value);
     let number = value.parse().ok().filter(derived);
     number.map_or_else(|| value.to_owned(), |number| significant(number, TOLD).to_string())

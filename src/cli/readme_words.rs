@@ -11,8 +11,8 @@ const MOST: usize = 12;
 /// What a word means, and the keys and columns that contain it or belong to it; `None` where
 /// README.md does not explain it.
 pub(super) fn thing(word: &str, all: &[Entry]) -> Option<Entry> {
-    let wanted = plain(word);
-    let is_it = |name: &str| plain(name) == wanted;
+    let wanted = singular(word);
+    let is_it = |name: &str| singular(name) == wanted;
     let (name, meaning) = lines().find(|(names, _)| names.split(", ").any(is_it))?;
     let words: Vec<&str> = wanted.split(' ').collect();
     // A single letter is a symbol. In names it is a unit.
@@ -62,7 +62,7 @@ fn lines() -> impl Iterator<Item = (&'static str, &'static str)> {
 }
 
 /// Lower case, one space between words, and the singular: `Error_bars` is `error bar`.
-fn plain(word: &str) -> String {
+fn singular(word: &str) -> String {
     let word = word.trim().to_lowercase().replace(['_', '-'], " ");
     let one = word.strip_suffix('s').filter(|one| one.len() > 3 && !one.ends_with('s'));
     one.unwrap_or(&word).to_owned()

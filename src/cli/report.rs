@@ -54,7 +54,7 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
     let spare = |path: &Path, error: &SweepError| omitted.add(path, error);
     write_sound_histories(&args.dir, &|path| omitted.has(path), &spare).map_err(not_writable)?;
     Derived::end(&args.dir, &made, false).map_err(not_writable)?;
-    let (left_out, found) = omitted.told();
+    let (left_out, found) = omitted.count_and_faults();
     for found in found {
         output.note(found);
     }

@@ -12,7 +12,7 @@ use super::execute::on_threads;
 use super::failure::BadInput;
 use super::input::Setting;
 use super::job::Job;
-use super::made_figure::told;
+use super::made_figure;
 use super::notices::hold_making;
 use super::options::EVERY_S;
 use super::options::{FigureFormat, for_print};
@@ -95,7 +95,7 @@ pub(super) fn main(args: &ReproduceArgs, output: &Output) -> anyhow::Result<u8> 
     if args.dry_run {
         let needed = needed(&recipe.run, &studies, &out, (threads, args.fresh))?;
         let text = format!("{} of {}: {}\n", recipe.title(), recipe.paper, recipe.shows);
-        output.result(&(text + &runs::told(&needed)), &json!({ "runs": needed }))?;
+        output.result(&(text + &runs::text(&needed)), &json!({ "runs": needed }))?;
         return Ok(SUCCESS);
     }
     let (mut directories, mut code) = (Vec::new(), SUCCESS);
@@ -121,7 +121,7 @@ pub(super) fn main(args: &ReproduceArgs, output: &Output) -> anyhow::Result<u8> 
     for format in formats {
         files.extend(crate::report::print(&made.figure, format, &out)?);
     }
-    let mut text = told(&made);
+    let mut text = made_figure::text(&made);
     for file in &files {
         text.push_str(&format!("{}\n", named(file)));
     }

@@ -1,6 +1,6 @@
 //! `seawall run`: one scene.
 
-mod told;
+mod words;
 
 use std::path::PathBuf;
 
@@ -75,7 +75,7 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
     warnings::tell_threads(args.threads, output);
     let case = &study.cases[0];
     let expected = duration(cost::seconds_of_a_core(&study));
-    let inputs = told::inputs(&case.config);
+    let inputs = words::inputs(&case.config);
     output.note(format_args!("case {}: {inputs}; about {expected} of one core", case.id));
     let job = Job {
         out: args.out.clone().unwrap_or_else(|| default_out(&study)),
@@ -117,7 +117,7 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
     for record in &done.whole(&job.study)? {
         let config = &job.study.cases[record.index].config;
         let bars = job.study.error_bars(record.index, done.directory.records());
-        let told = told::told(record, config, bars);
+        let told = words::results(record, config, bars);
         let text = format!("{told}files: {}\n", named(done.directory.path()));
         let value = in_metres(record, config, Done::in_full(record, bars));
         output.result(&text, &value)?;

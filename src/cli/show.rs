@@ -19,7 +19,7 @@ use crate::math::words::counted;
 use crate::quantities::summary::{CASE_ID, STATUS, WAVE_HEIGHT_RATIO};
 use crate::quantities::{Column, named};
 use crate::report::load::Loaded;
-use crate::report::{self, plain, scene_values, spoken};
+use crate::report::{self, as_typed, scene_values, spoken};
 use crate::results::{Manifest, finished};
 
 /// Show one case of a finished study: its parameters, results, error bars, health and files.
@@ -65,7 +65,7 @@ pub(super) fn main(args: &ShowArgs, output: &Output) -> anyhow::Result<u8> {
     // What the study's file says of its paddle, and of its scene.
     let data = Loaded::read(&args.dir).unwrap_or_default();
     let known = (data.rows.get(place).cloned().unwrap_or_default(), scene_values(&data, place));
-    output.result(&told(row, &known, &keys, &files), &Value::Null)?;
+    output.result(&text(row, &known, &keys, &files), &Value::Null)?;
     Ok(SUCCESS)
 }
 
@@ -137,13 +137,13 @@ impl Row {
         let told = match bar {
             Some(bar) => with_bar(value, bar),
             None if value.fract() == 0.0 && value.abs() < 1e15 => value.to_string(),
-            None => plain(value),
+            None => as_typed(value),
         };
         let time = |column: &Column| column.time_name().and_then(|name| self.number(&name));
         let bound = column.is_bound_by(|flag| self.cell(flag.name) == "true", time);
         let sign = if bound { "≥ " } else { "" };
         let time = time(column).map(|time| format!(" at {time:.4} s")).unwrap_or_default();
-        let told = format!("{sign}{told} {}", column.unit.told());
+        let told = format!("{sign}{told} {}", column.unit.suffix());
         Some(format!("{}{time}", told.trim_end()))
     }
 
@@ -186,7 +186,7 @@ fn files(directory: &Path, id: &str) -> Vec<PathBuf> {
 /// The row with what the study's file says of its paddle, and what it says of its scene.
 type Known = (report::Row, Vec<(String, String)>);
 
-fn told(row: &Row, (known, scene): &Known, keys: &[String], files: &[PathBuf]) -> String {
+fn text(row: &Row, (known, scene): &Known, keys: &[String], files: &[PathBuf]) -> String {
     let mut text = format!("case {}: {}\n", row.cell(CASE_ID.name), row.cell(STATUS.name));
     let (results, health, parameters) = groups();
     text.push_str("\nparameters\n");

@@ -48,7 +48,7 @@ impl Known {
         };
         let mut latest = BTreeMap::new();
         let content = read_journal_in_blocks(directory, |block: Vec<Fared>| {
-            latest.extend(block.into_iter().map(Fared::brief).filter_map(place));
+            latest.extend(block.into_iter().map(Fared::trimmed).filter_map(place));
         })?;
         Ok(Known { header: content.header, added, latest })
     }
@@ -148,7 +148,7 @@ impl Standing {
     }
 
     /// The words for people.
-    pub(super) fn told(&self) -> String {
+    pub(super) fn text(&self) -> String {
         let state = match self.left() + self.companions_left() {
             _ if self.running => "running",
             0 if self.owed => "stopped after its cases; the same command makes films and page",
@@ -175,8 +175,8 @@ impl Standing {
             ));
         }
         text.push('\n');
-        text.extend(self.failures.iter().map(FailedCases::told));
-        let load = self.load.as_ref().and_then(Load::told);
+        text.extend(self.failures.iter().map(FailedCases::text));
+        let load = self.load.as_ref().and_then(Load::in_words);
         text.extend(load.map(|told| format!("{told}\n")));
         text
     }

@@ -33,11 +33,11 @@ pub(super) fn main(args: &StatusArgs, output: &Output) -> anyhow::Result<u8> {
     let mut seen = Standing::of(&args.dir)?;
     let mut watch = Watch::begin(seen.view());
     while let Some(pause) = args.watch.filter(|_| seen.running) {
-        output.line(&watch.told(&seen.told(), seen.view()), &seen.json())?;
+        output.line(&watch.with_rate(&seen.text(), seen.view()), &seen.json())?;
         std::thread::sleep(Duration::from_secs_f64(pause));
         seen = Standing::of(&args.dir)?;
     }
-    let told = watch.told(&seen.told(), seen.view());
+    let told = watch.with_rate(&seen.text(), seen.view());
     match args.watch {
         Some(_) => output.line(&told, &seen.json())?,
         None => output.result(&told, &seen.json())?,

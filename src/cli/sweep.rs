@@ -17,7 +17,7 @@ use super::input::{
 use super::job::{Done, Job};
 use super::options::{EndingArgs, KeepArgs};
 use super::output::{Output, json_paths};
-use super::overview::told;
+use super::overview;
 use super::{INTERRUPTED, SUCCESS, check, films, max_error, notices, options, warnings};
 use crate::execute::{Crew, Ending, Interrupt, Keeping, Launcher, Setup, SphRunner, mpi, threads};
 use crate::keys::named;
@@ -242,7 +242,7 @@ fn told_at_end(
     output: &Output,
 ) -> anyhow::Result<(String, Value)> {
     let report = done.directory.path().join(REPORT);
-    let mut text = told(job, done, &report, output.verbose);
+    let mut text = overview::text(job, done, &report, output.verbose);
     let mut value = if output.is_json() { done.json(job, Some(&report))? } else { json!({}) };
     value["films"] = json!(json_paths(&films::pages(done.directory.path())));
     goal.report(&job.study, done, (&mut text, &mut value))?;

@@ -31,7 +31,7 @@ impl Watch {
     }
 
     /// A look's text, with the rate since the first look, if there is one.
-    pub(super) fn told(&mut self, text: &str, now: View) -> String {
+    pub(super) fn with_rate(&mut self, text: &str, now: View) -> String {
         let line = rate(self.first, now, self.since.elapsed().as_secs_f64());
         line.map_or_else(|| text.to_owned(), |line| format!("{text}{line}\n"))
     }

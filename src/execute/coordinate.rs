@@ -42,7 +42,7 @@ pub fn coordinate(link: &mut dyn Link, session: &mut Session<'_>) -> Result<Work
         if looked.elapsed() >= PATIENCE {
             looked = Instant::now();
             loop_.reckoning.look(link.under_way());
-            session.progress.reached(loop_.reckoning.told());
+            session.progress.reached(loop_.reckoning.done_and_left());
         }
         session.directory.sync(false)?;
         loop_.loads.tell(session.directory.path());
@@ -151,7 +151,7 @@ impl Loop<'_> {
                     session.suspect_branches(trunk);
                 }
                 self.reckoning.trunk(trunk, share);
-                session.progress.reached(self.reckoning.told());
+                session.progress.reached(self.reckoning.done_and_left());
                 Event::Done { rank, work: Work::Trunk(trunk), ok: result.is_ok() }
             }
             Report::CaseDone { case, result, wall_time_s, cpu_time_s } => {
@@ -213,7 +213,7 @@ impl Loop<'_> {
             session.progress.companion();
         }
         self.reckoning.case(case);
-        session.progress.reached(self.reckoning.told());
+        session.progress.reached(self.reckoning.done_and_left());
         Ok(ok)
     }
 }

@@ -95,7 +95,7 @@ impl Reckoning<'_> {
     }
 
     /// The work done, and the work left.
-    pub fn told(&self) -> [f64; 2] {
+    pub fn done_and_left(&self) -> [f64; 2] {
         [self.done + self.sum, (self.left - self.sum).max(0)].map(|cost| cost as f64)
     }
 
@@ -151,26 +151,26 @@ mod tests {
     fn a_trunk_that_ends_sooner_leaves_its_branches_more() {
         let plan = plan(0.99);
         let mut all = Reckoning::new(&plan);
-        assert_eq!(all.told(), [0.0, 1020.0]);
+        assert_eq!(all.done_and_left(), [0.0, 1020.0]);
         all.look([(Work::Trunk(0), 0.5)]);
-        assert_eq!(all.told(), [500.0, 520.0]);
+        assert_eq!(all.done_and_left(), [500.0, 520.0]);
         all.trunk(0, Some(0.75));
-        assert_eq!(all.told(), [750.0, 750.0]);
+        assert_eq!(all.done_and_left(), [750.0, 750.0]);
         all.look([(Work::Case(0), 0.85), (Work::Case(1), 0.0)]);
-        assert_eq!(all.told(), [850.0, 650.0]);
+        assert_eq!(all.done_and_left(), [850.0, 650.0]);
         (0..3).for_each(|case| all.case(case));
-        assert_eq!(all.told(), [1500.0, 0.0]);
+        assert_eq!(all.done_and_left(), [1500.0, 0.0]);
     }
 
     #[test]
     fn a_trunk_that_goes_farther_leaves_them_less() {
         let plan = plan(0.5);
         let mut all = Reckoning::new(&plan);
-        assert_eq!(all.told(), [0.0, 2000.0]);
+        assert_eq!(all.done_and_left(), [0.0, 2000.0]);
         all.look([(Work::Trunk(0), 0.75)]);
-        assert_eq!(all.told(), [750.0, 750.0]);
+        assert_eq!(all.done_and_left(), [750.0, 750.0]);
         all.trunk(0, Some(0.75));
-        assert_eq!(all.told(), [750.0, 750.0]);
+        assert_eq!(all.done_and_left(), [750.0, 750.0]);
     }
 
     /// Until the next report a trunk that had just ended once counted twice. If it was nearly all
@@ -182,9 +182,9 @@ mod tests {
         let late = [(Work::Trunk(0), 0.4)];
         all.look(late);
         all.trunk(0, Some(0.5));
-        assert_eq!(all.told(), [500.0, 1500.0]);
+        assert_eq!(all.done_and_left(), [500.0, 1500.0]);
         all.look(late);
-        assert_eq!(all.told(), [500.0, 1500.0]);
+        assert_eq!(all.done_and_left(), [500.0, 1500.0]);
     }
 
     #[test]
@@ -193,6 +193,6 @@ mod tests {
         let mut all = Reckoning::new(&plan);
         all.trunk(0, None);
         all.case(0);
-        assert_eq!(all.told(), [1000.0, 2000.0]);
+        assert_eq!(all.done_and_left(), [1000.0, 2000.0]);
     }
 }

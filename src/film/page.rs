@@ -109,7 +109,7 @@ impl PageFilm {
         }
         let reel = Reel { takes, crest, highest, stage: &stage, end };
         let film = reel.json(result).to_string().replace('<', "\\u003c");
-        let (colour, unit, units) = self.colour.told();
+        let (colour, unit, units) = self.colour.legend();
         let fields = [
             ("{title}", title(config)),
             ("{about}", about(config)),

@@ -60,7 +60,7 @@ impl Reel<'_> {
                 packed = self.pack([left, low], times * finest);
             }
         }
-        let times = |read: fn(&Take) -> f64| self.takes.iter().map(read).map(brief);
+        let times = |read: fn(&Take) -> f64| self.takes.iter().map(read).map(five_digits);
         let mut film = serde_json::to_value(self.stage).unwrap_or_default();
         film["particles"] = json!(particles);
         film["column"] = json!(packed.column);
@@ -111,7 +111,7 @@ fn finest_quantum(span: f64, spacing: f64) -> f64 {
 fn curves(result: &CaseResult) -> Value {
     let history = &result.history;
     let rows: Vec<_> = history.iter().step_by(history.len().div_ceil(MOST_POINTS).max(1)).collect();
-    let read = |read: fn(&HistoryRow) -> f64| rows.iter().map(move |row| brief(read(row)));
+    let read = |read: fn(&HistoryRow) -> f64| rows.iter().map(move |row| five_digits(read(row)));
     let mut curves = Vec::new();
     let mut curve = |symbol: &str,
                      name: &str,
@@ -120,7 +120,7 @@ fn curves(result: &CaseResult) -> Value {
         let values: Vec<f64> = read(of).collect();
         if values.iter().any(|&value| value != values[0]) {
             let all: Vec<f64> = history.iter().map(of).collect();
-            let [low, high] = axis(&all, quoted.map(|maximum| maximum.value)).map(brief);
+            let [low, high] = axis(&all, quoted.map(|maximum| maximum.value)).map(five_digits);
             let curve = json!({ "symbol": symbol, "name": name, "values": values, "low": low, "high": high });
             curves.push(curve);
         }
@@ -155,7 +155,7 @@ fn axis(values: &[f64], quoted: Option<f64>) -> [f64; 2] {
     if high - low > 1e-9 { [low, low + 1.05 * (high - low)] } else { [low, low + 1.0] }
 }
 
-fn brief(value: f64) -> f64 {
+fn five_digits(value: f64) -> f64 {
     significant(value, 5)
 }
 

@@ -29,7 +29,7 @@ const STOPS: [[f64; 3]; 7] = [
 
 impl Colour {
     /// Its name, its unit, and how many of the run's own units this unit has.
-    pub(super) fn told(self) -> (&'static str, &'static str, f64) {
+    pub(super) fn legend(self) -> (&'static str, &'static str, f64) {
         match self {
             Colour::Pressure => ("pressure", "kPa", 1000.0),
             Colour::Speed => ("speed", "m/s", 1.0),

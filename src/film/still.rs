@@ -203,7 +203,7 @@ impl Still<'_> {
 
     /// The colours and their meaning.
     fn scale(&self, text: &mut String, top: f64) {
-        let (name, unit, units) = self.colour.told();
+        let (name, unit, units) = self.colour.legend();
         let (from, wide) = (620.0, 16.0);
         let baseline = top + 58.0;
         let _ = writeln!(

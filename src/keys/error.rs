@@ -2,7 +2,7 @@
 
 /// A value that a scene or sweep file may not have.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{key}{}: {allowed}", told(value))]
+#[error("{key}{}: {allowed}", assigned(value))]
 pub struct ConfigError {
     /// Dotted path of the key, such as `numerics.particle_spacing_m`.
     pub key: String,
@@ -31,15 +31,15 @@ pub fn cut(text: &str, longest: usize) -> Option<String> {
 }
 
 /// A value for people. A number of many digits gets a power of ten; a long text is cut.
-pub fn brief(value: &str) -> String {
+pub fn shortened(value: &str) -> String {
     let number = value.parse::<f64>().ok().filter(|number| number.is_finite());
     let short = number.filter(|_| value.len() > DIGITS).map(|number| format!("{number:e}"));
     short.or_else(|| cut(value, LONGEST)).unwrap_or_else(|| value.to_owned())
 }
 
 /// A value after its key.
-fn told(value: &str) -> String {
-    if value.is_empty() { String::new() } else { format!(" = {}", brief(value)) }
+fn assigned(value: &str) -> String {
+    if value.is_empty() { String::new() } else { format!(" = {}", shortened(value)) }
 }
 
 impl ConfigError {

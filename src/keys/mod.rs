@@ -45,7 +45,7 @@ mod whole_file;
 mod written;
 
 pub use alike::alike;
-pub use error::{ConfigError, brief, cut, hint};
+pub use error::{ConfigError, cut, hint, shortened};
 pub use given::{check_conditions, read_alone};
 pub use given_file::bytes_of;
 pub use key::{Key, number};

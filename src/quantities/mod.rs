@@ -109,7 +109,7 @@ impl<R: Copy> Quantity<R> {
     }
 
     /// It with a value as one writes them: `k = 10 N/m`.
-    pub fn told(&self, sign: &str, value: &str) -> String {
+    pub fn with_value(&self, sign: &str, value: &str) -> String {
         let text = format!("{} {sign} {value} {}", self.symbol, self.unit.symbol());
         text.trim_end().to_owned()
     }
@@ -121,7 +121,7 @@ impl<R: Copy> Quantity<R> {
 
     /// What stands above its column: the symbol, or else the name, and the unit.
     pub fn heading(&self) -> String {
-        match (self.symbol, self.unit.told()) {
+        match (self.symbol, self.unit.suffix()) {
             ("", _) => heading(self.name),
             (symbol, "") => symbol.to_owned(),
             (symbol, unit) => format!("{symbol}, {unit}"),

@@ -33,10 +33,10 @@ pub fn name_of_symbol(word: &str) -> Option<&'static str> {
 /// such as `force`, as a question; `None` for other words.
 pub fn meant_by(word: &str) -> Option<String> {
     let logarithm = format!("log₁₀ {}", word.trim());
-    let maximum = plain(word) + "max";
+    let maximum = letters(word) + "max";
     let like = |column: &&&Column| {
-        let near = plain(word).len() > 2 && plain(word) == plain(column.symbol);
-        let bare = plain(column.name) == maximum;
+        let near = letters(word).len() > 2 && letters(word) == letters(column.symbol);
+        let bare = letters(column.name) == maximum;
         column.is_number() && (near || bare || column.symbol == logarithm)
     };
     let exact = called(word).map(|column| column.name);
@@ -47,7 +47,7 @@ pub fn meant_by(word: &str) -> Option<String> {
 }
 
 /// A symbol's letters and digits, in small letters.
-fn plain(symbol: &str) -> String {
+fn letters(symbol: &str) -> String {
     let digit = |c: char| match c {
         '₀'..='₉' => char::from_digit(c as u32 - '₀' as u32, 10).unwrap_or(c),
         c => c,

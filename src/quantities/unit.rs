@@ -69,7 +69,7 @@ impl Unit {
 
     /// What stands behind a number or a heading: nothing where a star says what it was divided by. An impulse
     /// has none.
-    pub fn told(self) -> &'static str {
+    pub fn suffix(self) -> &'static str {
         if self.is_ratio() && self != Unit::Impulse { "" } else { self.symbol() }
     }
 

@@ -31,7 +31,7 @@ pub fn bounds(data: &Loaded) -> Option<String> {
     let softest = distinct(bounds(), &SPRING_STIFFNESS);
     let up_to = softest.last().map(|stiffest| {
         let up_to = if softest.len() > 1 { "k up to" } else { "k =" };
-        format!(" ({up_to} {} N/m)", number::plain(*stiffest))
+        format!(" ({up_to} {} N/m)", number::as_typed(*stiffest))
     });
     Some(format!(
         "{open} of {} {} no more than a lower bound (≥): the wall still moved outwards when the run \

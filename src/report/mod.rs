@@ -43,7 +43,7 @@ use std::path::{Path, PathBuf};
 
 pub use error::ReportError;
 pub use froude::Froude;
-pub use number::{digits_apart, plain, plain_to, with_error};
+pub use number::{as_typed, as_typed_to, digits_apart, with_error};
 pub use omitted::Omitted;
 pub use plots::Figure;
 pub use reproduce::Reproduced;

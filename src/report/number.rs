@@ -9,12 +9,12 @@ const FEW: usize = 4;
 const ALL: usize = 17;
 
 /// A parameter as a person types it, to four significant digits: `500`, `0.01`, `50000`, `2.5e8`.
-pub fn plain(value: f64) -> String {
-    plain_to(value, FEW)
+pub fn as_typed(value: f64) -> String {
+    as_typed_to(value, FEW)
 }
 
 /// A parameter as a person types it, to so many significant digits.
-pub fn plain_to(value: f64, digits: usize) -> String {
+pub fn as_typed_to(value: f64, digits: usize) -> String {
     let value = significant(value, digits);
     let written = value == 0.0 || (1e-4..1e7).contains(&value.abs());
     if written { value.to_string() } else { format!("{value:e}") }
@@ -51,7 +51,7 @@ pub fn in_powers(value: f64) -> String {
 
 /// A table's cell. A number that is not whole and has more than five digits is written as by
 /// [`in_powers`]; all else stays.
-pub fn brief(cell: &str) -> String {
+pub fn shortened(cell: &str) -> String {
     let Ok(value) = cell.parse::<f64>() else { return cell.to_owned() };
     let mantissa = cell.split(['e', 'E']).next().unwrap_or_default();
     let digits = mantissa.trim_start_matches(['-', '0', '.']).chars().filter(char::is_ascii_digit);
@@ -73,7 +73,7 @@ pub fn with_digits(value: f64, digits: Digits) -> Option<String> {
 pub fn with_error(value: f64, error: f64) -> String {
     let error = error.abs();
     if error == 0.0 || !error.is_finite() {
-        return plain(value);
+        return as_typed(value);
     }
     let first = significant(error, 1);
     let digits = if significant(error, 2) < 2.0 * power_of_ten_below(first) { 2 } else { 1 };
@@ -129,7 +129,7 @@ mod tests {
     fn parameters_read_as_written_by_hand() {
         let numbers = [0.0, 0.01, 500.0, 5e4, 1e7, 2.5e5, 1e-4];
         let typed = ["0", "0.01", "500", "50000", "1e7", "250000", "0.0001"];
-        assert_eq!(numbers.map(plain), typed);
+        assert_eq!(numbers.map(as_typed), typed);
         assert_eq!(typed.map(|text| text.parse::<f64>().unwrap()), numbers);
         let written = [0.0, 0.01, 500.0, 9999.0, 1e7, 2.5e5, 1e-4].map(in_powers);
         assert_eq!(written, ["0", "0.01", "500", "9999", "10⁷", "2.5×10⁵", "10⁻⁴"]);
@@ -138,7 +138,7 @@ mod tests {
     #[test]
     fn long_parameters_are_rounded_to_four_digits() {
         let long = [21544.3469003188, 0.31622776601683794, 464.158883, 9999.9];
-        assert_eq!(long.map(plain), ["21540", "0.3162", "464.2", "10000"]);
+        assert_eq!(long.map(as_typed), ["21540", "0.3162", "464.2", "10000"]);
         assert_eq!(long.map(in_powers), ["2.154×10⁴", "0.3162", "464.2", "10⁴"]);
     }
 
@@ -148,17 +148,17 @@ mod tests {
         assert_eq!(digits(&[0.30001, 0.3, 0.30001]), 5);
         assert_eq!((digits(&[0.25, 0.3]), digits(&[])), (4, 4));
         let next = 0.3_f64.next_up();
-        let written = [0.3, next].map(|value| plain_to(value, digits(&[0.3, next])));
+        let written = [0.3, next].map(|value| as_typed_to(value, digits(&[0.3, next])));
         assert_eq!(written, ["0.3", &next.to_string()]);
-        assert_eq!(plain_to(0.30001, 5), "0.30001");
+        assert_eq!(as_typed_to(0.30001, 5), "0.30001");
     }
 
     #[test]
     fn cells_are_brief_and_counts_whole() {
         let cells = ["-8.939208979763524e-6", "2.4137", "3383", "4957550832", "0.0001", "ok", ""];
-        let written = cells.map(brief);
+        let written = cells.map(shortened);
         assert_eq!(written, ["-8.939×10⁻⁶", "2.4137", "3383", "4957550832", "0.0001", "ok", ""]);
-        assert_eq!(brief("21544.3469003188"), "2.154×10⁴");
+        assert_eq!(shortened("21544.3469003188"), "2.154×10⁴");
         assert!(written[..5].iter().all(|cell| is_number(cell)));
     }
 

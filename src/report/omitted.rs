@@ -35,7 +35,7 @@ impl Omitted {
     }
 
     /// How many files are left out, and the faults found on reading.
-    pub fn told(&self) -> (usize, Vec<String>) {
+    pub fn count_and_faults(&self) -> (usize, Vec<String>) {
         let told = |files: &mut Files| (files.len(), files.values().flatten().cloned().collect());
         self.with(told).unwrap_or_default()
     }

@@ -157,7 +157,7 @@ impl Row {
     }
 
     /// A cell with as many digits as its column shows.
-    pub fn brief(&self, column: &Column) -> String {
+    pub fn rounded(&self, column: &Column) -> String {
         let number = self.number(column);
         let told = number.and_then(|value| number::with_digits(value, column.digits));
         told.unwrap_or_else(|| self.cell(column))

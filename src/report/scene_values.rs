@@ -4,7 +4,7 @@ use toml::Value;
 
 use super::config::each_config;
 use super::load::Loaded;
-use super::number::{minus, plain};
+use super::number::{as_typed, minus};
 use crate::keys::{Key, alike, number};
 use crate::quantities::named;
 use crate::scene::{Kind, scene_keys};
@@ -33,7 +33,7 @@ pub fn scene_values(data: &Loaded, row: usize) -> Vec<(String, String)> {
 /// A value with its unit. A bed is told by its points, if they are few.
 fn in_words(key: &Key, value: &Value) -> String {
     if let Some(value) = number(value) {
-        return format!("{} {}", minus(&plain(value)), key.rule.unit).trim_end().to_owned();
+        return format!("{} {}", minus(&as_typed(value)), key.rule.unit).trim_end().to_owned();
     }
     match value {
         Value::Boolean(on) => if *on { "yes" } else { "no" }.to_owned(),
@@ -47,7 +47,7 @@ fn in_words(key: &Key, value: &Value) -> String {
 /// A point as in a file, without decimals where there are none.
 fn point(value: &Value) -> String {
     let Some(places) = value.as_array() else { return value.to_string() };
-    let places = places.iter().filter_map(number).map(|place| minus(&plain(place)));
+    let places = places.iter().filter_map(number).map(|place| minus(&as_typed(place)));
     format!("[{}]", places.collect::<Vec<_>>().join(", "))
 }
 

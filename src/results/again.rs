@@ -126,7 +126,7 @@ pub fn damaged_files(directory: &Path, id: CaseId) -> Result<Vec<String>, SweepE
             damage = files::damage(directory, id, &line.split(0).1);
         }
     })?;
-    Ok(damage.iter().map(filling::told).collect())
+    Ok(damage.iter().map(filling::in_words).collect())
 }
 
 /// Column names and cells of a case.

@@ -126,7 +126,7 @@ impl Filling<'_, EndedLine> {
         let damaged = self.damage.keys().filter_map(|&index| self.records[index].take());
         let owed = damaged.map(|run| run.id).collect();
         let damage = self.damage.into_values().flatten();
-        let told = |file: Damaged| format!("{}: its case runs again", told(&file));
+        let told = |file: Damaged| format!("{}: its case runs again", in_words(&file));
         Filled {
             runs: self.records,
             left: self.left,
@@ -205,6 +205,6 @@ pub(super) fn fill<'a>(
 pub(super) type Damaged = (PathBuf, &'static str);
 
 /// The same in words.
-pub(super) fn told((file, what): &Damaged) -> String {
+pub(super) fn in_words((file, what): &Damaged) -> String {
     format!("{} {what}", named(file))
 }

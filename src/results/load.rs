@@ -50,7 +50,7 @@ impl Load {
     }
 
     /// In words: all ranks, and the least and the most busy if there are several.
-    pub fn told(&self) -> Option<String> {
+    pub fn in_words(&self) -> Option<String> {
         let by = |a: &usize, b: &usize| self.share(*a).total_cmp(&self.share(*b));
         let ranks = || 0..self.ranks.len();
         let (least, most) = (ranks().min_by(by)?, ranks().max_by(by)?);
@@ -98,10 +98,10 @@ mod tests {
         let rank = |busy_s| RankLoad { places: 2, busy_s, ..RankLoad::default() };
         let load = Load { elapsed_s: 10.0, ranks: vec![rank(18.0), rank(9.0), rank(15.0)] };
         let told = "3 ranks busy 70 % of the time, from 45 % (rank 1) to 90 % (rank 0)";
-        assert_eq!(load.told().as_deref(), Some(told));
+        assert_eq!(load.in_words().as_deref(), Some(told));
         let alone = Load { ranks: vec![rank(10.0)], ..load };
-        assert_eq!(alone.told().as_deref(), Some("busy 50 % of the time"));
-        assert_eq!(Load::default().told(), None);
+        assert_eq!(alone.in_words().as_deref(), Some("busy 50 % of the time"));
+        assert_eq!(Load::default().in_words(), None);
     }
 
     #[test]

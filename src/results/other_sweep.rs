@@ -6,7 +6,7 @@ use std::path::Path;
 use toml::{Table, Value};
 
 use super::manifest::Manifest;
-use crate::keys::{brief, number};
+use crate::keys::{number, shortened};
 use crate::study::{GridAxis, PHYSICS_VERSION, Study};
 
 /// The first difference in words: the physics version, a key of the two files, or a setting of the
@@ -30,7 +30,8 @@ pub(super) fn difference(directory: &Path, study: &Study) -> Option<String> {
     };
     let [then, now] = [there.max_error_percent, study.max_error_percent].map(told);
     let aim = (then != now).then(|| format!("it was made {then}, this one {now}"));
-    let sets: Vec<_> = there.overrides.iter().map(|set| format!("--set {}", brief(set))).collect();
+    let sets: Vec<_> =
+        there.overrides.iter().map(|set| format!("--set {}", shortened(set))).collect();
     let set = (!sets.is_empty()).then(|| format!("it was made with {}", sets.join(" ")));
     in_files.or(aim).or(set)
 }
@@ -81,7 +82,7 @@ fn first(section: &str, there: &Table, here: &Table) -> Option<String> {
             return first(&path, &there, &here);
         }
         let told = |value: Option<&Value>| {
-            value.map_or("not given".to_owned(), |value| brief(&value.to_string()))
+            value.map_or("not given".to_owned(), |value| shortened(&value.to_string()))
         };
         let [there, here] = both.map(told);
         // Long values are cut.

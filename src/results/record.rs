@@ -118,7 +118,7 @@ pub struct Fared {
 
 impl Fared {
     /// For a case that is ok, index and time are enough.
-    pub fn brief(self) -> Fared {
+    pub fn trimmed(self) -> Fared {
         if self.failure.is_some() {
             return self;
         }

@@ -36,7 +36,7 @@ pub fn verify(directory: &Path, study: &Study) -> Result<Verified, SweepError> {
     let content = journal::read_in_blocks(directory, |lines| filling.take(lines))?;
     let (records, damaged) = filling.all();
     let mut told = of_journal(&content, Some(study), running);
-    told.extend(damaged.iter().map(filling::told));
+    told.extend(damaged.iter().map(filling::in_words));
     let damaged = damaged.into_iter().map(|(path, _)| path).collect();
     told.extend(of_checkpoints(directory));
     let mut older = Vec::new();
@@ -85,7 +85,7 @@ pub fn verify_files(directory: &Path) -> Result<VerifiedFiles, SweepError> {
         cases += 1;
         damaged.extend(files::damage(directory, id, &seals));
     }
-    told.extend(damaged.iter().map(filling::told));
+    told.extend(damaged.iter().map(filling::in_words));
     told.extend(of_checkpoints(directory));
     told.extend(of_the_rest(directory));
     Ok(VerifiedFiles { told, damaged: damaged.into_iter().map(|(path, _)| path).collect(), cases })

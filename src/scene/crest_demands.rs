@@ -14,7 +14,7 @@ use crate::math::decimal::significant;
 const CLEAR: f64 = 1.5;
 
 /// A bound as people write it, without the rounding of sums of decimals.
-fn told(bound: f64) -> f64 {
+fn nine_digits(bound: f64) -> f64 {
     significant(bound, 9)
 }
 
@@ -102,19 +102,19 @@ impl SeawallScene {
             let allowed = format!(
                 "must be {} m or more, two of the kernel's support radii: the water before a wall \
                  must not feel what is behind it",
-                told(2.0 * radius)
+                nine_digits(2.0 * radius)
             );
             return error("crest_width_m", crest_width_m, &allowed);
         }
         if below(crest_width_m, radius) {
             let allowed =
-                format!("must be {} m or more, the kernel's support radius", told(radius));
+                format!("must be {} m or more, the kernel's support radius", nine_digits(radius));
             return error("crest_width_m", crest_width_m, &allowed);
         }
         let toe = self.bed.as_ref().map_or(0.0, |bed| bed.end()[1]);
         let height = self.still_water_depth_m + crest_freeboard_m;
         if below(height, toe + radius) {
-            let least = told(toe + radius - self.still_water_depth_m);
+            let least = nine_digits(toe + radius - self.still_water_depth_m);
             let allowed = format!(
                 "must be {least} m or more, so that the wall rises from its bed by a support radius"
             );
@@ -124,8 +124,8 @@ impl SeawallScene {
         if below(highest, height) {
             let allowed = format!(
                 "must be {} m or less: walls are {} m high",
-                told(highest - self.still_water_depth_m),
-                told(highest)
+                nine_digits(highest - self.still_water_depth_m),
+                nine_digits(highest)
             );
             return error("crest_freeboard_m", crest_freeboard_m, &allowed);
         }
@@ -143,7 +143,7 @@ impl SeawallScene {
         let deepest = WALL_HEIGHT * self.still_water_depth_m;
         let [lowest, highest] = [crest - deepest, crest - radius];
         if below(floor_height_m, lowest) || below(highest, floor_height_m) {
-            let [lowest, highest] = [lowest, highest].map(told);
+            let [lowest, highest] = [lowest, highest].map(nine_digits);
             let allowed = format!(
                 "must be {lowest} to {highest} m: {WALL_HEIGHT} depths to a support radius below \
                  the crest"
@@ -153,7 +153,7 @@ impl SeawallScene {
         if below(floor_length_m, 2.0 * radius) {
             let allowed = format!(
                 "must be {} m or more, two of the kernel's support radii",
-                told(2.0 * radius)
+                nine_digits(2.0 * radius)
             );
             return error("floor_length_m", floor_length_m, &allowed);
         }
@@ -164,12 +164,12 @@ impl SeawallScene {
             let allowed = format!(
                 "leaves no room for a basin, which needs a support radius of water, and {CLEAR} spacings or more from \
                  there to the crest: must be {} m or less, or crest_freeboard_m larger, or particle_spacing_m smaller",
-                told(highest - radius)
+                nine_digits(highest - radius)
             );
             return error("floor_height_m", floor_height_m, &allowed);
         }
         if below(level, lowest) || below(highest, level) {
-            let [lowest, highest] = [lowest, highest].map(told);
+            let [lowest, highest] = [lowest, highest].map(nine_digits);
             let allowed = format!(
                 "must be {lowest} to {highest} m: a support radius of water or more, and {CLEAR} \
                  spacings or more below the crest"

@@ -92,7 +92,7 @@ impl<const N: usize> Phases<N> {
     }
 
     /// All phases.
-    pub fn told(&self) -> Vec<(&'static str, f64)> {
+    pub fn seconds_by_name(&self) -> Vec<(&'static str, f64)> {
         self.0.to_vec()
     }
 }

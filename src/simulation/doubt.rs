@@ -167,12 +167,12 @@ impl Evidence<'_> {
 /// another.
 fn forces(outcome: &Outcome) -> impl Iterator<Item = (&'static str, Maximum)> {
     let other = outcome.first_force_max.filter(|first| first.time_s != outcome.force_max.time_s);
-    told([("force_max", Some(outcome.force_max)), ("first_force_max", other)])
+    present([("force_max", Some(outcome.force_max)), ("first_force_max", other)])
 }
 
 /// The other quoted maxima.
 fn others(outcome: &Outcome) -> impl Iterator<Item = (&'static str, Maximum)> {
-    told([
+    present([
         ("runup_max", Some(outcome.runup_max)),
         ("displacement_max", outcome.displacement_max),
         ("first_runup_max", outcome.first_runup_max),
@@ -181,7 +181,7 @@ fn others(outcome: &Outcome) -> impl Iterator<Item = (&'static str, Maximum)> {
 }
 
 /// The maxima that exist.
-fn told<const N: usize>(
+fn present<const N: usize>(
     maxima: [(&'static str, Option<Maximum>); N],
 ) -> impl Iterator<Item = (&'static str, Maximum)> {
     maxima.into_iter().filter_map(|(name, maximum)| Some((name, maximum?)))

@@ -192,38 +192,38 @@ impl FirstImpact {
         matches!(self.stage, Stage::Trial { .. } | Stage::On)
     }
 
-    fn told(&self) -> Option<&Readings> {
+    fn counted(&self) -> Option<&Readings> {
         matches!(self.stage, Stage::On | Stage::Over).then_some(&self.readings)
     }
 
     /// Largest F*, of the running mean.
     pub fn force(&self) -> Option<Maximum> {
-        self.told()?.force
+        self.counted()?.force
     }
 
     /// Largest R*.
     pub fn runup(&self) -> Option<Maximum> {
-        self.told()?.runup
+        self.counted()?.runup
     }
 
     /// Largest X*.
     pub fn displacement(&self) -> Option<Maximum> {
-        self.told()?.displacement
+        self.counted()?.displacement
     }
 
     /// F* of the first peak.
     pub fn force_peak(&self) -> Option<f64> {
-        self.told()?.force_peak.value()
+        self.counted()?.force_peak.value()
     }
 
     /// R* of the first peak.
     pub fn runup_peak(&self) -> Option<f64> {
-        self.told()?.runup_peak.value()
+        self.counted()?.runup_peak.value()
     }
 
     /// ∫ (F* - 1) dt, s.
     pub fn impulse(&self) -> Option<f64> {
-        self.told().map(|_| self.onrush.impulse())
+        self.counted().map(|_| self.onrush.impulse())
     }
 
     /// The time in which F* - 1 rose from 10 to 90 % of its largest value, s.

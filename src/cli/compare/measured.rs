@@ -38,7 +38,7 @@ pub(super) fn main(args: &CompareArgs, output: &Output) -> anyhow::Result<()> {
         .as_ref()
         .map(|out| save(out, &table_of_held(&held).csv(), Some(&figure_of_held(&held, &case_id))));
     let files = files.transpose()?;
-    let mut text = told([directory, record], &case_id, &held);
+    let mut text = text([directory, record], &case_id, &held);
     for file in files.iter().flatten() {
         text.push_str(&format!("{}\n", named(file)));
     }
@@ -75,9 +75,9 @@ fn case(data: &Loaded, directory: &Path, words: &[String]) -> anyhow::Result<Str
     Err(BadInput::of(directory, format!("case {id} has not come to its end")).into())
 }
 
-fn told([directory, record]: [&Path; 2], case_id: &str, held: &Held) -> String {
+fn text([directory, record]: [&Path; 2], case_id: &str, held: &Held) -> String {
     let columns = counted(held.columns.len(), "column");
-    let text =
+    let heading =
         format!("{} and case {case_id} of {}: {columns}\n\n", named(record), named(directory));
     let heads = [
         "column",
@@ -117,7 +117,7 @@ fn told([directory, record]: [&Path; 2], case_id: &str, held: &Held) -> String {
             percent(column.rms_percent(), false),
         ]);
     }
-    text + &table.render()
+    heading + &table.render()
 }
 
 fn value(

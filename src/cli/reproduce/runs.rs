@@ -65,7 +65,7 @@ pub(super) fn needed(
 }
 
 /// The needed studies in words.
-pub(super) fn told(needed: &[Needed]) -> String {
+pub(super) fn text(needed: &[Needed]) -> String {
     let line = |one: &Needed| {
         let done = match one.finished {
             0 => String::new(),

@@ -59,7 +59,7 @@ pub fn different_keys(studies: &[Study<'_>; 2], pairs: &[(usize, usize)]) -> Vec
             let columns = studies.each_ref().map(|study| study.values.column(place, key));
             if both.iter().any(|&[a, b]| text(columns[0], a) != text(columns[1], b)) {
                 let values = |one: usize| {
-                    told(both.iter().filter_map(|pair| shown(columns[one], pair[one])))
+                    first_few(both.iter().filter_map(|pair| shown(columns[one], pair[one])))
                 };
                 let values = [values(0), values(1)];
                 different.push(DifferentKey { section, key: key.to_owned(), values });
@@ -70,7 +70,7 @@ pub fn different_keys(studies: &[Study<'_>; 2], pairs: &[(usize, usize)]) -> Vec
 }
 
 /// The different values of a key, the first few.
-fn told<'a>(values: impl Iterator<Item = &'a str>) -> String {
+fn first_few<'a>(values: impl Iterator<Item = &'a str>) -> String {
     let mut few: Vec<&str> = Vec::new();
     for value in values {
         if few.contains(&value) {

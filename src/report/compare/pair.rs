@@ -7,7 +7,7 @@ use crate::quantities::summary::{
     DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, OVERTOPPING_VOLUME, RUNUP_MAX,
 };
 use crate::quantities::{Column, Unit};
-use crate::report::number::plain;
+use crate::report::number::as_typed;
 use crate::report::row::{PLACE, label};
 use crate::report::spoken::all_spoken;
 
@@ -178,8 +178,8 @@ fn point(a: &Side, b: &Side) -> String {
         if number_text(values[0]) == number_text(values[1]) {
             return Some(label(column, first));
         }
-        let [a, b] = values.map(|value| value.map_or_else(|| "-".to_owned(), plain));
-        Some(column.told("=", &format!("{a} | {b}")))
+        let [a, b] = values.map(|value| value.map_or_else(|| "-".to_owned(), as_typed));
+        Some(column.with_value("=", &format!("{a} | {b}")))
     };
     let unasked = a.row.unasked && b.row.unasked;
     let parts = PLACE.iter().skip(usize::from(unasked)).filter_map(part);

@@ -5,7 +5,7 @@ use super::{COMPARED, Comparison, Difference, Pair};
 use crate::quantities::Column;
 use crate::report::plots::{Axis, Chart, Curve, Drawing, Entry, Figure, Layout, Look, Point};
 use crate::report::row::PLACE;
-use crate::report::tables::{Table, plain};
+use crate::report::tables::{Table, or_empty};
 
 /// The table: the point, both cases, and for each quantity both values and their difference.
 pub fn table(comparison: &Comparison) -> Table {
@@ -27,10 +27,10 @@ pub fn table(comparison: &Comparison) -> Table {
 fn of(difference: Option<&Difference>) -> [String; 8] {
     let Some(one) = difference else { return Default::default() };
     let [a, b] = one.values.map(|value| value.to_string());
-    let [error_a, error_b] = one.bars.map(plain);
+    let [error_a, error_b] = one.bars.map(or_empty);
     let bound = one.bounds.iter().any(|bound| *bound).to_string();
-    let [difference, percent] = [one.absolute().to_string(), plain(one.percent())];
-    [a, b, difference, percent, error_a, error_b, bound, plain(one.is_within())]
+    let [difference, percent] = [one.absolute().to_string(), or_empty(one.percent())];
+    [a, b, difference, percent, error_a, error_b, bound, or_empty(one.is_within())]
 }
 
 /// The figure; `None` where no pair has both numbers.

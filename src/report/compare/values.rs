@@ -60,13 +60,13 @@ impl Values {
 
 /// The value of a case for the reader, if it has one.
 pub fn shown(column: Option<&Column>, case: usize) -> Option<&str> {
-    let told = column?.told(case).filter(|told| told.value.is_some());
+    let told = column?.of_case(case).filter(|told| told.value.is_some());
     told.map(|told| told.shown.as_str())
 }
 
 /// The value of a case as text that is equal for equal numbers.
 pub fn text(column: Option<&Column>, case: usize) -> &str {
-    let told = column.and_then(|column| column.told(case));
+    let told = column.and_then(|column| column.of_case(case));
     told.filter(|told| told.value.is_some()).map_or("-", |told| &told.text)
 }
 
@@ -130,7 +130,7 @@ impl Column {
         })
     }
 
-    fn told(&self, case: usize) -> Option<&Told> {
+    fn of_case(&self, case: usize) -> Option<&Told> {
         self.different.get(self.at.get(case).map_or(0, |&place| place as usize))
     }
 }

@@ -52,7 +52,7 @@ fn key(key: &Key) -> Value {
     values.sort_by(|a, b| rising(a).total_cmp(&rising(b)));
     let places: HashMap<_, _> = values.iter().enumerate().map(|(at, value)| (*value, at)).collect();
     let at = |cell: &str| places.get(cell).map_or(-1, |&place| place as i64);
-    let shown = |cell: &&str| cell.parse().map_or((*cell).to_owned(), number::plain);
+    let shown = |cell: &&str| cell.parse().map_or((*cell).to_owned(), number::as_typed);
     let symbol = named(&key.name).map_or("", |column| column.symbol);
     json!({
         "name": key.name,

@@ -12,7 +12,7 @@ use crate::quantities::summary::{PAIR_EVALUATIONS, PARTICLES, STEPS, WALL_TIME};
 use crate::report::grid::grid;
 use crate::report::load::Loaded;
 use crate::report::markup::escape;
-use crate::report::number::{in_powers, plain, significant};
+use crate::report::number::{as_typed, in_powers, significant};
 use crate::report::tables::Table;
 
 /// What the cases cost; `None` where no case has the numbers.
@@ -62,7 +62,7 @@ fn pace(data: &Loaded) -> Option<String> {
     let seconds: f64 = sessions(data).iter().filter_map(|one| number(one, "wall_time_s")).sum();
     let killed = sessions(data).iter().any(|one| number(one, "wall_time_s").is_none());
     let per_hour = data.rows.len() as f64 / seconds * 3600.0;
-    let told = plain(significant(per_hour, 3));
+    let told = as_typed(significant(per_hour, 3));
     let cases = if told == "1" { "case" } else { "cases" };
     (seconds > 0.0 && !killed).then(|| format!(" That was {told} {cases} per hour."))
 }
@@ -91,8 +91,8 @@ fn loads(data: &Loaded) -> Option<String> {
             host.map(word).unwrap_or_default(),
             format!("{:.0} %", 100.0 * (sum("busy_s") / room.max(1e-9)).min(1.0)),
             format!("{} s", significant(sum("busy_s"), 3)),
-            plain(sum("cases")),
-            plain(sum("trunks")),
+            as_typed(sum("cases")),
+            as_typed(sum("trunks")),
         ];
         cells.to_vec()
     };
@@ -135,7 +135,7 @@ pub fn provenance(manifest: &Value) -> String {
             "sum" | "sweep_file" => (),
             "sessions" => {
                 for session in value.as_array().into_iter().flatten() {
-                    lines.push(("worked on".to_owned(), told(session)));
+                    lines.push(("worked on".to_owned(), words(session)));
                 }
             }
             _ => lines.push((name.replace('_', " "), word(value))),
@@ -153,7 +153,7 @@ pub fn provenance(manifest: &Value) -> String {
 }
 
 /// One process that worked on the study.
-fn told(session: &Value) -> String {
+fn words(session: &Value) -> String {
     let text = |name: &str| session.get(name).and_then(Value::as_str).unwrap_or("");
     let ranks = session.get("ranks").and_then(Value::as_array);
     let rank = |rank: &Value| {

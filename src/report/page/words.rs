@@ -9,7 +9,7 @@ use crate::report::row::Row;
 /// Rising values: all if they are few, or else both ends and their number.
 pub fn range(values: &[f64], unit: &str) -> String {
     let space = if unit.is_empty() { "" } else { " " };
-    let words: Vec<_> = values.iter().map(|value| number::plain(*value)).collect();
+    let words: Vec<_> = values.iter().map(|value| number::as_typed(*value)).collect();
     match &words[..] {
         [first, .., last] if words.len() > 3 => {
             format!("{first} to {last}{space}{unit} ({} values)", words.len())

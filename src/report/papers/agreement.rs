@@ -51,13 +51,13 @@ fn chart(found: &[Found], names: &[&str], unit: Unit) -> Option<Chart> {
     };
     let mut curves = vec![of_walls("fixed wall", 2, None)];
     for (index, s) in couplings(found).into_iter().enumerate() {
-        curves.push(of_walls(&format!("s = {}", number::plain(s)), index, Some(s)));
+        curves.push(of_walls(&format!("s = {}", number::as_typed(s)), index, Some(s)));
     }
     curves.retain(|curve| !curve.points.is_empty());
     let numbers = points(&curves).flat_map(|point| [point.x, point.y]);
     let axis = Axis::around(numbers.clone(), 5.0)?;
     let (low, high) = ends(numbers)?;
-    let same = Entry::line("the same", Look::plain());
+    let same = Entry::line("the same", Look::ink());
     curves.insert(0, Curve::through(same, [(low, low), (high, high)]));
     let names = ["printed", "computed"];
     let titles = names.map(|what| format!("{} {what}", unit.axis()));

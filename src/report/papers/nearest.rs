@@ -89,7 +89,7 @@ fn place(number: &Printed) -> String {
             Span { low, high } if low.is_infinite() => ("≤", high),
             Span { low, .. } => ("=", low),
         };
-        Some(column.told(sign, &number::plain(value)))
+        Some(column.with_value(sign, &number::as_typed(value)))
     };
     spans(number).into_iter().filter_map(part).collect::<Vec<_>>().join(", ")
 }

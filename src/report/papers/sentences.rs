@@ -27,7 +27,7 @@ pub fn sentences(found: &[Found]) -> Vec<String> {
     for s in couplings(found) {
         let law = if s == 1.0 { ", the law as printed" } else { "" };
         let own: Vec<_> = found.iter().filter(sizes("movable", Some(s))).collect();
-        said.extend(tally(&format!("Movable walls with s = {}{law}", number::plain(s)), &own));
+        said.extend(tally(&format!("Movable walls with s = {}{law}", number::as_typed(s)), &own));
     }
     let is_time = |found: &&Found| found.printed.unit == "s";
     let flat = |found: &&Found| found.printed.unit == "%" || found.printed.read == Read::Words;
@@ -96,7 +96,7 @@ pub fn method<'a>(rows: impl Iterator<Item = &'a Row> + Clone) -> String {
     let schemes: BTreeSet<_> = rows.clone().map(|row| row.text(&SCHEME)).collect();
     let schemes: Vec<_> = schemes.into_iter().collect();
     let spacings = distinct(rows, &PARTICLE_SPACING);
-    let spacings: Vec<_> = spacings.into_iter().map(number::plain).collect();
+    let spacings: Vec<_> = spacings.into_iter().map(number::as_typed).collect();
     format!("{} with particles {} m apart", schemes.join(" and "), spacings.join(", "))
 }
 

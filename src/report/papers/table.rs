@@ -13,7 +13,7 @@ use crate::report::config::Config;
 use crate::report::number;
 use crate::report::row::{PLACE, Row};
 use crate::report::spoken::spoken;
-use crate::report::tables::{Table, plain};
+use crate::report::tables::{Table, or_empty};
 
 /// The table `papers`.
 pub fn tidy(found: &[Found]) -> Table {
@@ -49,11 +49,11 @@ pub fn tidy(found: &[Found]) -> Table {
         [
             vec![printed.paper.clone(), printed.figure.clone(), printed.quantity.clone()],
             place.to_vec(),
-            vec![plain(stiffness), plain(printed.time_s), printed.unit.clone()],
+            vec![or_empty(stiffness), or_empty(printed.time_s), printed.unit.clone()],
             vec![printed.value.to_string(), name_of(printed.read), digits(found.computed)],
-            vec![plain(found.error), found.bound.to_string(), digits(found.difference())],
+            vec![or_empty(found.error), found.bound.to_string(), digits(found.difference())],
             vec![found.percent().map(digits).unwrap_or_default(), found.is_met().to_string()],
-            vec![plain(found.coupling()), row.text(&SCHEME).to_owned(), row.variant.to_string()],
+            vec![or_empty(found.coupling()), row.text(&SCHEME).to_owned(), row.variant.to_string()],
             vec![row.id().to_owned(), printed.note.clone()],
         ]
         .concat()
@@ -71,7 +71,7 @@ pub fn beside(found: &[Found]) -> Table {
     let factors = couplings(found);
     let heads: Vec<String> = match factors.len() {
         0 => vec![String::new()],
-        _ => factors.iter().map(|s| format!(", s = {}", number::plain(*s))).collect(),
+        _ => factors.iter().map(|s| format!(", s = {}", number::as_typed(*s))).collect(),
     };
     let mut header = ["source", "quantity", "case", "printed"].map(str::to_owned).to_vec();
     header.extend(heads.iter().flat_map(|s| [format!("computed{s}"), format!("difference{s}")]));
@@ -132,7 +132,7 @@ pub(super) fn words(printed: &Printed) -> String {
     if let Some(column) = history::ALL.iter().find(|column| column.name == name) {
         return format!("{}{time}", symbol_of(column.unit));
     }
-    let limit = printed.log10_k_star.map(number::plain).unwrap_or_default();
+    let limit = printed.log10_k_star.map(number::as_typed).unwrap_or_default();
     let symbol = |column: &Column| column.symbol.to_owned();
     if let Some((stem, side)) = name.split_once("_change_") {
         let stem = named(&format!("{stem}_max")).map_or_else(|| stem.to_owned(), symbol);

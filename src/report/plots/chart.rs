@@ -50,7 +50,7 @@ impl Curve {
     /// A plain line at one level, as long as the other curves.
     pub fn level(label: impl Into<String>, level: f64, others: &[Curve]) -> Curve {
         let (low, high) = ends(places(others)).unwrap_or_default();
-        Curve::through(Entry::line(label, Look::plain()), [(low, level), (high, level)])
+        Curve::through(Entry::line(label, Look::ink()), [(low, level), (high, level)])
     }
 
     /// The lower and upper ends of all points. A bound has an arrow as its upper end.

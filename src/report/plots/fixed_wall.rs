@@ -186,7 +186,7 @@ fn drawing(
     let chart = |&(column, place): &(&Column, usize)| {
         let mut curves = Vec::new();
         if matches!(beside, Beside::Exact) {
-            let entry = Entry::line("exact solitary wave", Look::plain());
+            let entry = Entry::line("exact solitary wave", Look::ink());
             curves.push(Curve::through(entry, exact::line(place)));
         }
         if sides.iter().position(|side| side.0 == column) == Some(1) {

@@ -43,10 +43,10 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
         let rows = data.finished().filter(|row| row.number(&WAVE_HEIGHT_RATIO) == Some(wave));
         let rows: Vec<_> = rows.collect();
         let called =
-            wave_said(rows.iter().copied(), format!("H/h = {}", number::plain_to(wave, digits)));
+            wave_said(rows.iter().copied(), format!("H/h = {}", number::as_typed_to(wave, digits)));
         let groups = groups(rows);
         let few_groups = left_out(groups.len(), SERIES, COMBINATIONS);
-        let wave = number::plain_to(wave, digits);
+        let wave = number::as_typed_to(wave, digits);
         for rows in spread(&groups, SERIES) {
             let gathers = rows.iter().any(|row| row.variant != rows[0].variant);
             let variant = if gathers { "" } else { &rows[0].variant };
@@ -216,7 +216,7 @@ fn strips(lines: &[Line]) -> Vec<Strip> {
         let mut curve = over_time::Line::new(index, &line.label, &line.case, points);
         // Later curves have no look of their own: the fixed wall is drawn in ink.
         if index >= CURVES {
-            curve.entry.look = Look::plain();
+            curve.entry.look = Look::ink();
         }
         curve
     };

@@ -47,7 +47,7 @@ impl Look {
     }
 
     /// A round marker and a solid line in ink, for references.
-    pub fn plain() -> Look {
+    pub fn ink() -> Look {
         Look { series: None, printed: false }
     }
 

@@ -4,7 +4,7 @@
 use super::axes::Axis;
 use super::bar::Bar;
 use super::chart::{Cell, Chart};
-use super::marks::{coupling, key, picked, said, told};
+use super::marks::{coupling, key, picked, said, value_in_words};
 use super::sheet::{Drawing, Layout};
 use super::text::{SMALL, width};
 use super::ticks::FEWEST;
@@ -96,7 +96,7 @@ fn cell(row: &Row, columns: &[f64], lines: &[f64], bar: &Bar) -> Option<Cell> {
         colour: bar.colour(force),
         label: if fits { words } else { String::new() },
         case: row.id().to_owned(),
-        told: told(row, SHOWN),
+        told: value_in_words(row, SHOWN),
     })
 }
 

@@ -8,7 +8,7 @@ use crate::quantities::summary::{
     FORCE_COUPLING, LOG10_K_STAR, M_STAR, SEAWALL_MASS, SPRING_STIFFNESS, WAVE_HEIGHT_RATIO,
 };
 use crate::report::curves::distinct;
-use crate::report::number::{minus, plain, with_digits, with_error};
+use crate::report::number::{as_typed, minus, with_digits, with_error};
 use crate::report::row::{Row, label};
 
 /// A case's point, if it has a number.
@@ -20,16 +20,16 @@ pub fn point(row: &Row, x: f64, column: &Column) -> Option<Point> {
         error: row.error(column).filter(|error| error.is_finite()).unwrap_or(0.0),
         bound: row.is_bound(column),
         case: row.id().to_owned(),
-        told: told(row, column),
+        told: value_in_words(row, column),
         ..Point::default()
     })
 }
 
 /// Case, value and bar in words.
-pub fn told(row: &Row, column: &Column) -> String {
+pub fn value_in_words(row: &Row, column: &Column) -> String {
     let error = row.error(column).unwrap_or(0.0);
     let value = row.number(column).unwrap_or(f64::NAN);
-    let value = if error > 0.0 { with_error(value, error) } else { row.brief(column) };
+    let value = if error > 0.0 { with_error(value, error) } else { row.rounded(column) };
     let sign = if row.is_bound(column) { "≥" } else { "=" };
     let said = format!("{} {sign} {value}", column.symbol);
     let case = row.words();
@@ -82,7 +82,7 @@ pub fn said<'a>(
         let same = cases.filter(|row| row.number(column) == Some(value));
         return if column == &WAVE_HEIGHT_RATIO { wave_said(same, words) } else { words };
     };
-    let known = minus(&with_digits(known, ratio.digits).unwrap_or_else(|| plain(known)));
+    let known = minus(&with_digits(known, ratio.digits).unwrap_or_else(|| as_typed(known)));
     format!("{} ({} = {known})", label(own, typed), ratio.symbol)
 }
 
@@ -101,7 +101,7 @@ pub fn key(column: &Column, value: f64) -> String {
 /// The legend's entry for bounds, if there are any.
 pub fn bounds(curves: &[Curve]) -> Option<Curve> {
     let any = points(curves).any(|point| point.bound);
-    let entry = Entry::dots("lower bound: still moving at the end", Look::plain(), true);
+    let entry = Entry::dots("lower bound: still moving at the end", Look::ink(), true);
     any.then_some(Curve { entry, points: Vec::new() })
 }
 
@@ -109,7 +109,7 @@ pub fn bounds(curves: &[Curve]) -> Option<Curve> {
 pub fn coupling<'a>(rows: impl Iterator<Item = &'a Row>) -> String {
     let springs = rows.filter(|row| row.number(&SPRING_STIFFNESS).is_some());
     let factors = distinct(springs, &FORCE_COUPLING);
-    let factors: Vec<_> = factors.into_iter().map(plain).collect();
+    let factors: Vec<_> = factors.into_iter().map(as_typed).collect();
     if factors.is_empty() {
         return String::new();
     }

@@ -68,7 +68,7 @@ pub fn strokes(class: &str, ends: &[[(f64, f64); 2]], width: f64) -> Path {
 }
 
 /// The words for a pointer that rests on a drawing.
-pub fn told(words: &str) -> Title {
+pub fn tooltip(words: &str) -> Title {
     Title::new(words)
 }
 

@@ -15,7 +15,7 @@ pub(in crate::report) const PRINTED: &str = "printed in the papers";
 
 /// The look of printed numbers in all figures.
 pub(in crate::report) fn entry() -> Entry {
-    Entry::dots(PRINTED, Look::plain().printed(), false).keyed("printed")
+    Entry::dots(PRINTED, Look::ink().printed(), false).keyed("printed")
 }
 
 /// Printed numbers in the colour of a curve, which is given by its place in the panel.

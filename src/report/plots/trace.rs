@@ -6,7 +6,7 @@ use super::chart::{Cell, Curve, Point};
 use super::frame::Frame;
 use super::labels::place;
 use super::look::{DOTS, Look};
-use super::pen::{Align, arrow, drawn, group, hex, line, strokes, text, tidy, told};
+use super::pen::{Align, arrow, drawn, group, hex, line, strokes, text, tidy, tooltip};
 use super::text::{SMALL, width};
 
 /// The whole curve in a panel.
@@ -54,7 +54,7 @@ fn marked(frame: &Frame, point: &Point, look: Look) -> Group {
     let (x, y) = frame.at(point.x, point.y);
     let mut marked = group("point").set("data-case", point.case.as_str());
     if !point.told.is_empty() {
-        marked = marked.add(told(&point.told));
+        marked = marked.add(tooltip(&point.told));
     }
     if point.error > 0.0 {
         marked = marked.add(Path::new().set("class", "bar").set("d", bar(frame, point)));
@@ -111,7 +111,7 @@ pub fn field(frame: &Frame, cell: &Cell) -> Group {
     let mut field = group("point field")
         .set("data-case", cell.case.as_str())
         .set("color", on(cell.colour))
-        .add(told(&cell.told))
+        .add(tooltip(&cell.told))
         .add(square);
     if !cell.label.is_empty() {
         let middle = ((left + right) / 2.0, (top + bottom) / 2.0);

@@ -37,7 +37,7 @@ pub fn drawing(material: &Material) -> Result<Option<Drawn>, ReportError> {
     ritter.sort_by(|a, b| a.x.total_cmp(&b.x));
     ritter.dedup();
     let mut curves =
-        vec![Curve { entry: Entry::line("Ritter's front", Look::plain()), points: ritter }];
+        vec![Curve { entry: Entry::line("Ritter's front", Look::ink()), points: ritter }];
     for ((points, word), look) in fronts.into_iter().zip(words).zip(looks) {
         curves.push(Curve { entry: Entry::marked(word, look), points });
     }

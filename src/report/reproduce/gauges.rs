@@ -127,7 +127,7 @@ fn measurements() -> Curve {
         let (x, y) = row.expect("a shipped file has numbers");
         Point { x, y, open: true, ..Point::default() }
     });
-    Curve { entry: Entry::dots("measured", Look::plain(), false), points: points.collect() }
+    Curve { entry: Entry::dots("measured", Look::ink(), false), points: points.collect() }
 }
 
 #[cfg(test)]
@@ -147,7 +147,7 @@ mod tests {
     fn a_short_peak_is_drawn() {
         let mut points: Vec<_> = (0..1200).map(|k| (f64::from(k), 0.0)).collect();
         points[501].1 = 9.0;
-        let drawn = curve(Entry::line("a", Look::plain()), &points);
+        let drawn = curve(Entry::line("a", Look::ink()), &points);
         assert!(drawn.points.len() <= MOST && drawn.points.iter().any(|point| point.y == 9.0));
     }
 

@@ -24,7 +24,7 @@ pub fn stands(row: &Row, law: Option<f64>) -> bool {
 pub fn heading(law: Option<f64>) -> String {
     match law {
         Some(1.0) => "s = 1, the law as printed".to_owned(),
-        Some(law) => format!("s = {}", number::plain(law)),
+        Some(law) => format!("s = {}", number::as_typed(law)),
         None => String::new(),
     }
 }

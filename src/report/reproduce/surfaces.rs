@@ -121,7 +121,7 @@ impl<'a> Case<'a> {
             let x = 0.4 + (length - 0.4) * f64::from(index) / 100.0;
             (x, wave.surface(x, time - PAPER_CLOCK_CENTRE_S))
         };
-        let entry = Entry::line("first-order solitary wave", Look::plain());
+        let entry = Entry::line("first-order solitary wave", Look::ink());
         Some(Curve::through(entry, (0..=100).map(point)))
     }
 }

@@ -39,5 +39,5 @@ impl Row {
 
 /// A parameter and its value as one writes them: `k = 10 N/m`.
 pub(in crate::report) fn label(column: &Column, value: f64) -> String {
-    column.told("=", &number::minus(&number::plain(value)))
+    column.with_value("=", &number::minus(&number::as_typed(value)))
 }

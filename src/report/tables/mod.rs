@@ -45,7 +45,7 @@ fn variant<'a>(mut rows: impl Iterator<Item = &'a Row>) -> Option<Field<'static>
 /// The force over Goda's at an upright wall; empty at other walls.
 fn over_goda(data: &Loaded) -> Field<'_> {
     let settings = Settings::of(data);
-    let over = move |place, row: &Row| plain(settings.at(place).and_then(|at| at.over(row)));
+    let over = move |place, row: &Row| or_empty(settings.at(place).and_then(|at| at.over(row)));
     (OVER_GODA, Box::new(over))
 }
 
@@ -131,7 +131,7 @@ fn responses_of(data: &Loaded) -> Vec<Lines<'_>> {
     let mut tables = Vec::new();
     for variant in variants(&data.rows) {
         for response in RESPONSES {
-            let error = |row: &Row| plain(row.error(response).filter(|error| error.is_finite()));
+            let error = |row: &Row| or_empty(row.error(response).filter(|error| error.is_finite()));
             let mut columns = fields(&[&M_STAR, &WAVE_HEIGHT_RATIO, &LOG10_K_STAR, response]);
             columns.push(("error", Box::new(move |_, row| error(row))));
             columns.push(("truncated", Box::new(|_, row| row.is_bound(response).to_string())));
@@ -169,7 +169,7 @@ fn cells(row: &Row, columns: &[&Column]) -> Vec<String> {
 }
 
 /// A cell whose value may be missing.
-pub(super) fn plain<T: ToString>(value: Option<T>) -> String {
+pub(super) fn or_empty<T: ToString>(value: Option<T>) -> String {
     value.map(|value| value.to_string()).unwrap_or_default()
 }
 

@@ -22,7 +22,7 @@ impl Table {
         }
         let told = |at: usize| has_cells(&table, at) && !table.is_alike(at);
         let kept: Vec<_> = (0..table.header.len()).filter(|at| told(*at)).collect();
-        let cell = |row: &[String], at: usize| brief(&table.header[at], &row[at]);
+        let cell = |row: &[String], at: usize| shown_cell(&table.header[at], &row[at]);
         let rows = table.rows.iter().map(|row| kept.iter().map(|at| cell(row, *at)).collect());
         let header = kept.iter().map(|column| table.header[*column].clone()).collect();
         Table { rows: rows.collect(), header, ..table }
@@ -58,7 +58,7 @@ impl Table {
             let Ok(read) = row[value].parse() else { continue };
             row[value] = match (is_bound, bar) {
                 (true, Some(bar)) => number::bound_with_error(read, bar),
-                (true, None) => format!("≥ {}", brief(column.name, &row[value])),
+                (true, None) => format!("≥ {}", shown_cell(column.name, &row[value])),
                 (false, Some(bar)) => number::with_error(read, bar),
                 (false, None) => continue,
             };
@@ -67,7 +67,7 @@ impl Table {
 }
 
 /// A cell with the digits of its column. What [`Table::join`] has written is no number and stays.
-fn brief(name: &str, cell: &str) -> String {
+fn shown_cell(name: &str, cell: &str) -> String {
     let column = named(name);
     if name == VARIANT {
         return all_spoken(cell);
@@ -76,12 +76,12 @@ fn brief(name: &str, cell: &str) -> String {
         return cell.to_owned();
     }
     if let (true, Ok(value)) = (PLACE.iter().any(|column| column.name == name), cell.parse()) {
-        return number::plain(value);
+        return number::as_typed(value);
     }
     let told = column.zip(cell.parse().ok());
     let told = told
         .and_then(|(column, value)| number::with_digits(column.told_value(value), column.digits));
-    told.unwrap_or_else(|| number::brief(cell))
+    told.unwrap_or_else(|| number::shortened(cell))
 }
 
 fn has_cells(table: &Table, column: usize) -> bool {

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Line, Lines, Table, names, plain};
+use super::{Line, Lines, Table, names, or_empty};
 use crate::math::lists::different;
 use crate::quantities::envelope::ALL;
 use crate::quantities::summary::CASE_ID;
@@ -17,7 +17,7 @@ const SIDE_BY_SIDE: usize = 6;
 
 /// All readings of finished cases, one per line, with every digit; `None` where there are none.
 pub fn readings(data: &Loaded) -> Option<Lines<'_>> {
-    let cells = |one: Reading| vec![one.name, plain(one.value), one.unit];
+    let cells = |one: Reading| vec![one.name, or_empty(one.value), one.unit];
     let header = [CASE_ID.name, "case", "reading", "value", "unit"];
     let rows = of_cases(data, Loaded::readings, cells);
     Lines::new("readings", "Readings", &header, rows).filled()
@@ -27,7 +27,7 @@ pub fn readings(data: &Loaded) -> Option<Lines<'_>> {
 pub fn envelope(data: &Loaded) -> Option<Lines<'_>> {
     let cells = |at: Pressed| {
         let numbers = [Some(at.height_m), Some(at.pressure_max_pa), at.first_pressure_max_pa];
-        numbers.map(plain).to_vec()
+        numbers.map(or_empty).to_vec()
     };
     let header = [&[CASE_ID.name, "case"], &names(ALL)[..]].concat();
     let rows = of_cases(data, Loaded::envelope, cells);
@@ -63,7 +63,7 @@ pub fn across(long: &Table) -> Table {
         let (case, name) = ((id.as_str(), words.as_str()), (name.as_str(), unit.as_str()));
         cases.push(case);
         names.push(name);
-        let value = value.parse().map(number::plain).unwrap_or_default();
+        let value = value.parse().map(number::as_typed).unwrap_or_default();
         values.insert((case, name), value);
     }
     cases.dedup();

@@ -152,7 +152,7 @@ impl Scheme for Isph {
     }
 
     fn phases(&self) -> Vec<(&'static str, f64)> {
-        self.phases.told()
+        self.phases.seconds_by_name()
     }
 
     fn solver(&self) -> Option<SolverSummary> {

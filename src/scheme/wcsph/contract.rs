@@ -148,7 +148,7 @@ impl Scheme for Wcsph {
     }
 
     fn phases(&self) -> Vec<(&'static str, f64)> {
-        self.phases.told()
+        self.phases.seconds_by_name()
     }
 }
 

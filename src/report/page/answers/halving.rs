@@ -83,7 +83,7 @@ impl<'a> Group<'a> {
         let place = at(self.stiffest);
         // The wall's kind is not said twice.
         let place = if is_fixed { place.trim_end_matches(", wall = fixed") } else { &place };
-        let held = format!("{kind}{place} (F* = {})", number::plain(whole));
+        let held = format!("{kind}{place} (F* = {})", number::as_typed(whole));
         let walls = self.walls();
         if walls.iter().map(String::len).sum::<usize>() > LONG {
             let stiffest = most(self.halved(), |row| row.number(&SPRING_STIFFNESS));
@@ -124,11 +124,11 @@ impl<'a> Group<'a> {
         }
         let masses = |masses: &[f64]| {
             let (last, first) = masses.split_last().expect("a wall has a mass");
-            let last_one = number::plain(*last);
+            let last_one = number::as_typed(*last);
             match *first {
                 [] => label(&SEAWALL_MASS, *last),
-                [one] => format!("m = {} and {last_one} kg/m", number::plain(one)),
-                [from, ..] => format!("m = {} to {last_one} kg/m", number::plain(from)),
+                [one] => format!("m = {} and {last_one} kg/m", number::as_typed(one)),
+                [from, ..] => format!("m = {} to {last_one} kg/m", number::as_typed(from)),
             }
         };
         let springs = walls.iter().map(|(words, of)| format!("{words} with {}", masses(of)));
@@ -142,7 +142,7 @@ impl<'a> Group<'a> {
 
 /// These stiffnesses among all: as a range up to the stiffest, or one by one.
 fn stiffnesses(these: &[f64], all: &[f64]) -> String {
-    let words: Vec<_> = these.iter().map(|value| number::plain(*value)).collect();
+    let words: Vec<_> = these.iter().map(|value| number::as_typed(*value)).collect();
     match words.last() {
         Some(last) if these.len() > 1 && all.starts_with(these) => format!("k up to {last} N/m"),
         _ => format!("k = {} N/m", listed(&words)),

@@ -54,7 +54,7 @@ fn spacing(data: &Loaded) -> String {
     let words: Vec<_> = spacings.iter().map(|spacing| 1000.0 * spacing).collect();
     match &words[..] {
         [] => String::new(),
-        [one] => format!(" Particles stand {} mm apart.", number::plain(*one)),
+        [one] => format!(" Particles stand {} mm apart.", number::as_typed(*one)),
         many => format!(" Particles stand {} apart.", range(many, "mm")),
     }
 }

@@ -8,7 +8,7 @@ use crate::quantities::summary::{
     SPRING_STIFFNESS, WAVE_HEIGHT_RATIO,
 };
 use crate::quantities::{Bars, Case, Column, Value, energy};
-use crate::report::plain;
+use crate::report::as_typed;
 use crate::results::CaseRecord;
 use crate::scene::{CaseConfig, PaddleChoice, SeawallScene, WallChoice};
 use crate::simulation::{EnergyBudget, NamedReading, PhaseShare};
@@ -20,11 +20,11 @@ pub(super) fn inputs(config: &CaseConfig) -> String {
         None => config.scene.kind().to_owned(),
     };
     let (depth, spacing) = (config.scene.frame().depth, config.numerics.particle_spacing_m);
-    format!("{scene}, depth {} m, particles {} mm apart", plain(depth), plain(1e3 * spacing))
+    format!("{scene}, depth {} m, particles {} mm apart", as_typed(depth), as_typed(1e3 * spacing))
 }
 
 fn seawall(scene: &SeawallScene) -> String {
-    let value = |column: &Column, value: f64| column.told("=", &plain(value));
+    let value = |column: &Column, value: f64| column.with_value("=", &as_typed(value));
     let mut parts = Vec::new();
     match (scene.paddle, scene.wave_height_ratio) {
         (_, 0.0) => parts.push("still water".to_owned()),
@@ -33,7 +33,7 @@ fn seawall(scene: &SeawallScene) -> String {
     }
     let angle = match scene.wall_angle_deg {
         90.0 => String::new(),
-        angle => format!(" of {}°", plain(angle)),
+        angle => format!(" of {}°", as_typed(angle)),
     };
     parts.push(format!("{}{angle}", scene.wall.words()));
     parts.extend(scene.spring_stiffness_n_per_m.map(|k| value(&SPRING_STIFFNESS, k)));
@@ -42,7 +42,7 @@ fn seawall(scene: &SeawallScene) -> String {
 }
 
 /// Results, readings, energy, and where the time went.
-pub(super) fn told(record: &CaseRecord, config: &CaseConfig, bars: Bars) -> String {
+pub(super) fn results(record: &CaseRecord, config: &CaseConfig, bars: Bars) -> String {
     let mut text = format!("case {}", record.id);
     let (Some(outcome), Some(energy)) = (&record.outcome, &record.energy) else {
         text.push_str(&format!(" failed: {}\n", record.reason));
@@ -72,7 +72,7 @@ fn outcome_table(case: &Case<'_>) -> String {
     };
     let line = |column: &Column| {
         let text = match column.value(case)? {
-            Value::Number(value) => format!("{} {}", number(column, value), column.unit.told()),
+            Value::Number(value) => format!("{} {}", number(column, value), column.unit.suffix()),
             Value::Count(count) => count.to_string(),
             Value::Flag(_) => return None, // its reason or mark stands beside a number
             Value::Text(text) => text,
