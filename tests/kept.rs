@@ -64,14 +64,14 @@ fn given(state: &[u8]) -> Shelf {
 
 /// All bits but the times of the phases, and how often neighbours were listed: lists that are worn as
 /// soon as they are made are made once more.
-fn bits(mut result: CaseResult) -> Vec<u8> {
+pub fn bits(mut result: CaseResult) -> Vec<u8> {
     result.phases.clear();
     result.list_rebuilds = 0;
     postcard::to_stdvec(&result).unwrap()
 }
 
 /// Runs a case whole, keeping about so many states, and on from each of them.
-fn goes_on(name: &str, case: &CaseConfig, about: usize) {
+pub fn goes_on(name: &str, case: &CaseConfig, about: usize) {
     let path = SimdPath::widest();
     let counted = Shelf::default();
     let whole = bits(run_case(case, None, path, &counted).unwrap());

@@ -5,6 +5,8 @@
 
 #[path = "../bodies.rs"]
 mod bodies;
+#[path = "../body_contract.rs"]
+mod body_contract;
 #[path = "../boundary.rs"]
 mod boundary;
 #[path = "../dam_break.rs"]
