@@ -2,7 +2,7 @@
 
 use super::{Beside, Held};
 use crate::report::plots::{Figure, Line, Strip, strips};
-use crate::report::tables::{Table, plain};
+use crate::report::tables::{Table, or_empty};
 
 /// The table.
 pub fn table(held: &Held) -> Table {
@@ -29,9 +29,9 @@ pub fn table(held: &Held) -> Table {
             .map(|ends| ends.map(|(time, value)| [value, time]).concat());
         let mut cells = vec![column.name.clone(), column.unit.clone()];
         cells.extend([from, to].iter().chain(&high).map(f64::to_string));
-        cells.push(plain(column.off_percent()));
+        cells.push(or_empty(column.off_percent()));
         cells.extend(low.iter().chain(&[column.rms]).map(f64::to_string));
-        cells.push(plain(column.rms_percent()));
+        cells.push(or_empty(column.rms_percent()));
         cells
     };
     Table::new("compare", "Measured", &header, held.columns.iter().map(row).collect())
