@@ -130,12 +130,17 @@ impl Scene {
     /// Whether still water stands before a wall that leans, until it would begin to turn there. A
     /// wave needs water of less viscosity.
     pub(super) fn stirs_at_leaning_wall(&self) -> bool {
-        let (angle, still) = match self {
-            Scene::Seawall(scene) => (scene.wall_angle_deg, scene.wave_height_ratio == 0.0),
-            Scene::Hydrostatic(scene) => (scene.wall_angle_deg, true),
-            _ => return false,
-        };
-        angle != 90.0 && still && self.lasts(STIRS_AFTER)
+        let waves = self.seawall().is_some_and(|scene| scene.wave_height_ratio > 0.0);
+        self.wall_angle_deg() != 90.0 && !waves && self.lasts(STIRS_AFTER)
+    }
+
+    /// Angle of its right wall from the bed; 90 where no wall may lean.
+    pub(super) fn wall_angle_deg(&self) -> f64 {
+        match self {
+            Scene::Seawall(scene) => scene.wall_angle_deg,
+            Scene::Hydrostatic(scene) => scene.wall_angle_deg,
+            _ => 90.0,
+        }
     }
 
     /// Whether a part of its bed steeper than 1:2 ends so near the still water's surface that

@@ -170,11 +170,8 @@ mod tests {
     /// half of their force in newtons.
     #[test]
     fn a_force_without_gravity_has_a_scale_of_its_own() {
-        use crate::study::{Study, SweepFile};
-        let text =
-            "name = \"a\"\n[scene]\nkind = \"taylor-green\"\nspeed_m_per_s = 0.7\nbox_side_m = 0.5";
-        let study = Study::new(&SweepFile::read(text, &[]).unwrap()).unwrap();
-        let unit = scale(&study.cases[0].config.scene);
+        let scene = "kind = \"taylor-green\"\nspeed_m_per_s = 0.7\nbox_side_m = 0.5";
+        let unit = scale(&crate::scene::CaseConfig::of(scene, "").scene);
         assert!((unit - 1000.0 * 0.49 * 0.5).abs() < 1e-9, "{unit}");
     }
 
