@@ -106,6 +106,9 @@ pub struct WallStep {
     pub stop_loss: f64,
     /// How fast the wall came onto the stop, m/s.
     pub stop_speed: f64,
+    /// Whether its acceleration jumps at the start of the step, as another law holds from then on:
+    /// it breaks loose, turns round or comes to a stand. Blows on a stop do not count.
+    pub jumps: bool,
 }
 
 /// How a wall is held, per metre of width.

@@ -116,9 +116,12 @@ impl SlidingCaisson {
 
     fn take(&mut self, travel: f64, velocity: f64, dt: f64) -> WallStep {
         let acceleration = (velocity - self.velocity) / dt;
+        // Friction jumps with the sense of the motion.
+        let sense = |velocity: f64| [velocity > 0.0, velocity < 0.0];
+        let jumps = sense(velocity) != sense(self.velocity);
         self.displacement += travel;
         self.velocity = velocity;
-        WallStep { acceleration, travel, ..WallStep::default() }
+        WallStep { acceleration, travel, jumps, ..WallStep::default() }
     }
 }
 

@@ -52,7 +52,7 @@ impl SpringWall {
         self.displacement = 0.0;
         self.velocity = 0.0;
         self.stops += 1;
-        WallStep { acceleration: 0.0, travel, stop_loss: loss, stop_speed }
+        WallStep { travel, stop_loss: loss, stop_speed, ..WallStep::default() }
     }
 }
 

@@ -10,6 +10,7 @@ use super::quiet_travel::{Mount, QuietTravel};
 use super::sound::Compression;
 use super::wall_pressures::Pressed;
 use super::waves::Waves;
+use crate::body::WallStep;
 
 /// Span of the force's running mean over √(h/g).
 pub(super) const MEAN_SPAN: f64 = 0.07;
@@ -152,6 +153,17 @@ impl Measures {
             self.pressed.interrupt();
         } else {
             self.pressed.push(time, moment, pressures, &self.first);
+        }
+    }
+
+    /// Takes what the wall did in the step of the last reading. The step begins at `time` and lasts
+    /// `dt`, s.
+    pub fn note(&mut self, time: f64, dt: f64, step: &WallStep) {
+        if step.stop_loss > 0.0 {
+            self.hit(time, dt, step.stop_speed);
+        }
+        if step.jumps {
+            self.quiet.jump(time);
         }
     }
 

@@ -51,6 +51,8 @@ pub struct QuietForce {
     filled: bool,
     samples: VecDeque<(f64, f64)>,
     turns: VecDeque<Compression>,
+    /// When the wall's acceleration jumped, s.
+    jumps: VecDeque<f64>,
 }
 
 impl QuietForce {
@@ -66,6 +68,7 @@ impl QuietForce {
             filled: false,
             samples: VecDeque::with_capacity(ROOM),
             turns: VecDeque::with_capacity(ROOM),
+            jumps: VecDeque::new(),
         }
     }
 
@@ -73,7 +76,13 @@ impl QuietForce {
     pub fn clear(&mut self) {
         self.samples.clear();
         self.turns.clear();
+        self.jumps.clear();
         self.filled = false;
+    }
+
+    /// Records that the wall's acceleration jumps at `time`, s, which is that of the last sample.
+    pub fn jump(&mut self, time: f64) {
+        self.jumps.push_back(time);
     }
 
     /// Takes a sample, and the compression if a turn has ended. Returns the mean without sound once
@@ -112,6 +121,9 @@ impl QuietForce {
         while self.turns.front().is_some_and(|turn| turn.time < middle - self.side - slack) {
             self.turns.pop_front();
         }
+        while self.jumps.front().is_some_and(|&jump| jump < middle - self.side - slack) {
+            self.jumps.pop_front();
+        }
         if !self.filled {
             return None;
         }
@@ -136,14 +148,18 @@ impl QuietForce {
         }
     }
 
-    /// The effect from the turns up to `side` seconds away, and the water's depth in them.
+    /// The effect from the turns up to `side` seconds away, and the water's depth in them. Across a
+    /// jump of the wall's acceleration the slope is none, so turns beyond it do not count.
     fn added(&self, middle: f64, side: f64) -> Option<[f64; 2]> {
         let within = side * (1.0 + 1e-9);
-        let turns = || self.turns.iter().filter(|turn| (turn.time - middle).abs() <= within);
+        let [from, to] = self.alike(middle);
+        let alike = |time: f64| time >= from && time < to && (time - middle).abs() <= within;
+        let turns = || self.turns.iter().filter(|turn| alike(turn.time));
         let count = turns().count() as f64;
         let reach = turns().next_back()?.time - turns().next()?.time;
-        // If the turns cover little more than one side, some are missing.
-        if count < 3.0 || reach < 1.25 * side {
+        // If the turns cover little more than half of that time, some are missing.
+        let whole = side.min(middle - from) + side.min(to - middle);
+        if count < 3.0 || reach < 0.625 * whole {
             return None;
         }
         let mean = |part: &dyn Fn(&Compression) -> f64| turns().map(part).sum::<f64>() / count;
@@ -151,6 +167,13 @@ impl QuietForce {
         let above = turns().map(|turn| (turn.time - time) * (turn.rate - rate)).sum::<f64>();
         let below = turns().map(|turn| (turn.time - time).powi(2)).sum::<f64>();
         Some([mean(&|turn| turn.carried) - above / below, mean(&|turn| turn.depth)])
+    }
+
+    /// The time around `middle` in which the wall's acceleration did not jump, s.
+    fn alike(&self, middle: f64) -> [f64; 2] {
+        let before = self.jumps.iter().rfind(|&&jump| jump <= middle);
+        let after = self.jumps.iter().find(|&&jump| jump > middle);
+        [*before.unwrap_or(&f64::NEG_INFINITY), *after.unwrap_or(&f64::INFINITY)]
     }
 }
 

@@ -125,9 +125,7 @@ impl Run {
             self.film(monitor, time, last);
             let start = Instant::now();
             let reading = self.read((force, step.acceleration));
-            if step.stop_loss > 0.0 {
-                self.logbook.measures.hit(time, dt, step.stop_speed);
-            }
+            self.logbook.measures.note(time, dt, &step);
             if sample {
                 self.sample(&reading, &bodies);
             }

@@ -109,3 +109,11 @@ fn friction_and_the_water_behind_take_what_is_not_motion() {
     assert!((held - 230.0 * way).abs() < 1e-9 * held, "{held}");
     assert!((work - held).abs() < 1e-6 * work, "{work} {held}");
 }
+
+#[test]
+fn its_acceleration_jumps_where_it_breaks_loose_turns_round_and_stops() {
+    let mut caisson = caisson();
+    let mut jumps = |force: f64| caisson.kick(force, 1.0, 0.1).jumps;
+    let told = [200.0, 260.0, 260.0, 200.0, 100.0, 100.0, 240.0, 240.0, 200.0].map(&mut jumps);
+    assert_eq!(told, [false, true, false, false, true, false, false, true, false]);
+}
