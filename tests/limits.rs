@@ -126,3 +126,44 @@ fn a_case_that_is_filmed_keeps_to_its_limits() {
         }
     }
 }
+
+/// The lines of a journal, without its header.
+fn journalled(out: &Path) -> usize {
+    std::fs::read_to_string(out.join("journal.jsonl")).unwrap().lines().count() - 1
+}
+
+/// The story: where a companion had failed, `run` and `sweep` printed no error bars and no reason, and each further
+/// `run` computed the failed companion again.
+#[test]
+fn a_companion_that_failed_is_told_and_counts_as_done() {
+    let one = TINY.replace("[0.4, 0.5]", "[0.4]").replace("[10, 1e4]", "[10]");
+    let desk = Desk::new(&one.replace("[50, 250]", "[50]"));
+    let pair = ["--set", "numerics.error_bars=pair"];
+    let few = [&pair[..], &["--set", "limits.steps=10"]].concat();
+    let why = "the companion with particles 35.36 mm apart failed: over-limit at t = ";
+    for command in ["run", "sweep"] {
+        let out = desk.path().join(command);
+        let go = |more: &[&str]| {
+            ended(0, &[&[command, &desk.file, "--out", out.to_str().unwrap()], more].concat())
+        };
+        go(&[]);
+        for _ in 0..2 {
+            let told = go(&few);
+            let told = if command == "run" { told.err } else { told.out };
+            assert_eq!(told.matches(why).count(), 1, "{command}: {told}");
+            assert_eq!(journalled(&out), 2, "{command}");
+        }
+        // A limit that is gone makes nothing run again on its own, as with cases.
+        let told = go(&[&pair[..], &["--format", "json"]].concat()).json();
+        let record = if command == "run" { &told } else { &told["records"][0] };
+        let failed = &record["failed_companions"][0];
+        assert!(failed["reason"].as_str().unwrap().starts_with("over-limit at t = "), "{failed}");
+        assert_eq!(failed["failure"], "over-limit");
+        assert!(record["error_bars"]["force_max_error"].is_null(), "{record}");
+    }
+    let again =
+        sweep(&desk.file, &desk.path().join("sweep"), &[&pair[..], &["--retry-failed"]].concat());
+    expect_code(&again, 0);
+    let told = String::from_utf8(again.stdout).unwrap();
+    assert!(!told.contains("lack") && told.contains("±"), "{told}");
+}

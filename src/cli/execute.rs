@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use super::cost::binary;
-use super::job::{Done, Job};
+use super::job::{Done, Job, Retry};
 use super::notices::{tallies, tell_opened, tell_start};
 use super::output::Output;
 use crate::execute::{
@@ -123,8 +123,10 @@ fn open(job: &Job, crew: &dyn Crew, output: &Output) -> Result<(Directory, Opene
             counted(suspects, "run")
         ));
     }
-    if job.retry_failed {
-        directory.retry_failed();
+    match job.retry {
+        Retry::Nothing => {}
+        Retry::Cases => directory.retry_failed(false),
+        Retry::All => directory.retry_failed(true),
     }
     Ok((directory, opened))
 }

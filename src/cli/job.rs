@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value, json};
 
 use super::output::json_path;
-use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
+use super::{CASES_FAILED, INTERRUPTED, SUCCESS, lost_bars};
 use crate::execute::Ending;
 use crate::math::simd::SimdPath;
 use crate::quantities::summary::{
@@ -16,12 +16,21 @@ use crate::quantities::{Bars, Value as Cell};
 use crate::results::{CaseRecord, Directory, OpenMode, Savings, SweepError, finished_whole};
 use crate::study::Study;
 
+/// What runs again of what failed earlier.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Retry {
+    Nothing,
+    /// Cases, but not the companions for their error bars.
+    Cases,
+    All,
+}
+
 /// A study, where it runs, and how.
 pub(super) struct Job {
     pub(super) study: Study,
     pub(super) out: PathBuf,
     pub(super) mode: OpenMode,
-    pub(super) retry_failed: bool,
+    pub(super) retry: Retry,
     pub(super) branching: bool,
     /// Whether threads that the runs leave idle work within them.
     pub(super) shares_threads: bool,
@@ -90,9 +99,11 @@ impl Done {
         Ok(whole.filter_map(|(record, here)| record.filter(|_| here.is_some())).collect())
     }
 
-    /// A record with its error bars, for programs; null where there is none.
-    pub(super) fn in_full(record: &CaseRecord, bars: Bars) -> Value {
+    /// A record with its error bars, for programs; null where there is none. Companions that failed
+    /// are told with their reasons.
+    pub(super) fn in_full(&self, study: &Study, record: &CaseRecord) -> Value {
         let mut value = json!(record);
+        let bars = study.error_bars(record.index, self.directory.records());
         let bars = [
             (&FORCE_ERROR, bars.force),
             (&RUNUP_ERROR, bars.runup),
@@ -103,15 +114,14 @@ impl Done {
         ];
         let bars = bars.into_iter().map(|(column, bar)| (column.name.to_owned(), json!(bar)));
         value["error_bars"] = Value::Object(bars.collect());
+        value["failed_companions"] = lost_bars::json(study, record, self.directory.records());
         value
     }
 
     pub(super) fn json(&self, job: &Job, report: Option<&Path>) -> Result<Value, SweepError> {
         let records = self.whole(&job.study)?;
-        let in_full = |record: &CaseRecord| {
-            Done::in_full(record, job.study.error_bars(record.index, self.directory.records()))
-        };
-        let records: Vec<_> = records.iter().map(in_full).collect();
+        let records: Vec<_> =
+            records.iter().map(|record| self.in_full(&job.study, record)).collect();
         Ok(json!({
             "name": job.study.name,
             "out": json_path(self.directory.path()),

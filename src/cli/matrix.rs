@@ -7,7 +7,7 @@ use clap::Args;
 use super::execute::on_threads;
 use super::failure::BadInput;
 use super::input::{MATRIX, SimdChoice, default_out, read};
-use super::job::Job;
+use super::job::{Job, Retry};
 use super::options;
 use super::options::EVERY_S;
 use super::output::Output;
@@ -79,7 +79,7 @@ pub(super) fn run(
         out: args.out.clone().unwrap_or_else(|| default_out(&study)),
         study,
         mode: if args.fresh { OpenMode::Fresh } else { OpenMode::Resume },
-        retry_failed: false,
+        retry: Retry::Nothing,
         branching,
         shares_threads: false, // What a method costs is told.
         simd: SimdChoice::Auto.path(),

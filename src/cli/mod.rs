@@ -28,6 +28,7 @@ mod init;
 mod input;
 mod job;
 mod known_limits;
+mod lost_bars;
 mod made_figure;
 mod matrix;
 mod max_error;

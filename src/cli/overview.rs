@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use super::job::{Done, Job};
+use super::lost_bars;
 use super::output::{duration, with_marks};
 use super::table::Table;
 use crate::keys::{self, Shared};
@@ -84,6 +85,7 @@ pub(super) fn of_cases(job: &Job, done: &Done, all: bool) -> String {
     text.push_str(&fared(done, total));
     text.push_str(&doubts(done));
     text.push_str(&coarse(&done.coarse(job)));
+    text.push_str(&lost_bars::of_study(&job.study, done.records(), done.directory.records()));
     text
 }
 

@@ -11,7 +11,7 @@ use self::runs::{needed, study};
 use super::execute::on_threads;
 use super::failure::BadInput;
 use super::input::Setting;
-use super::job::Job;
+use super::job::{Job, Retry};
 use super::made_figure;
 use super::notices::hold_making;
 use super::options::EVERY_S;
@@ -149,7 +149,7 @@ fn job(args: &ReproduceArgs, run: &Run, study: Study, out: PathBuf, shares_threa
         study,
         out,
         mode: if args.fresh { OpenMode::Fresh } else { OpenMode::Resume },
-        retry_failed: false,
+        retry: Retry::Nothing,
         branching: true,
         shares_threads,
         simd: None,

@@ -11,11 +11,11 @@ use super::SUCCESS;
 use super::execute::on_threads;
 use super::film;
 use super::input::{Setting, SimdChoice, default_out, scene};
-use super::job::{Done, Job};
+use super::job::{Done, Job, Retry};
 use super::notices::hold_making;
 use super::options::KeepArgs;
 use super::output::{Output, duration};
-use super::{cost, options, warnings};
+use super::{cost, lost_bars, options, warnings};
 use crate::execute::{Ending, Interrupt};
 use crate::film::{Colour, Filming, PageFilm, VtkFilm};
 use crate::keys::named;
@@ -81,7 +81,7 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
         out: args.out.clone().unwrap_or_else(|| default_out(&study)),
         study,
         mode: if args.fresh { OpenMode::Fresh } else { OpenMode::Resume },
-        retry_failed: true,
+        retry: Retry::Cases,
         branching: false,
         shares_threads: true,
         simd: args.simd.path(),
@@ -119,8 +119,11 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
         let bars = job.study.error_bars(record.index, done.directory.records());
         let told = words::results(record, config, bars);
         let text = format!("{told}files: {}\n", named(done.directory.path()));
-        let value = in_metres(record, config, Done::in_full(record, bars));
+        let value = in_metres(record, config, done.in_full(&job.study, record));
         output.result(&text, &value)?;
+        if let Some(lost) = lost_bars::of_case(&job.study, record, done.directory.records()) {
+            output.note(lost);
+        }
     }
     match page {
         Some(page) if done.exit_code() == SUCCESS => {

@@ -14,7 +14,7 @@ use super::goal::Goal;
 use super::input::{
     Expect, Setting, SimdChoice, default_out, named_out, out_of, study, sweep_file,
 };
-use super::job::{Done, Job};
+use super::job::{Done, Job, Retry};
 use super::options::{EndingArgs, KeepArgs};
 use super::output::{Output, json_paths};
 use super::overview;
@@ -54,7 +54,7 @@ pub(super) struct SweepArgs {
     /// Move an earlier run aside and start over.
     #[arg(long)]
     fresh: bool,
-    /// Run again the cases that failed earlier.
+    /// Run again the cases, and companions for error bars, that failed earlier.
     #[arg(long)]
     retry_failed: bool,
     /// Validate and show what would run; write nothing.
@@ -160,7 +160,7 @@ fn lead(
         out,
         study: first,
         mode: if args.fresh { OpenMode::Fresh } else { OpenMode::Resume },
-        retry_failed: args.retry_failed,
+        retry: if args.retry_failed { Retry::All } else { Retry::Nothing },
         branching: !args.no_branch,
         shares_threads: true,
         simd: args.simd.path(),
@@ -215,7 +215,7 @@ fn in_rounds(
         let Some(next) = goal.next(file, &job.study, &done, output)? else { break };
         let spent_s = done.wall_time_s;
         drop(done); // its lock
-        job = Job { study: next, mode: OpenMode::Resume, retry_failed: false, ..job };
+        job = Job { study: next, mode: OpenMode::Resume, retry: Retry::Nothing, ..job };
         done = execute(&job, crew, interrupt, output)?;
         done.wall_time_s = spent_s.into_iter().chain(done.wall_time_s).reduce(|sum, s| sum + s);
     }

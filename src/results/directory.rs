@@ -173,11 +173,11 @@ impl Directory {
         &self.records
     }
 
-    /// Forgets failed cases, so that they run again.
-    pub fn retry_failed(&mut self) {
-        for run in &mut self.runs {
-            run.take_if(|run| !run.is_ok);
-        }
+    /// Forgets failed cases, so that they run again; with `companions` failed companions, too.
+    pub fn retry_failed(&mut self, companions: bool) {
+        let among = if companions { self.runs.len() } else { self.cases };
+        let failed = self.runs[..among].iter_mut().filter(|run| run.is_some_and(|run| !run.is_ok));
+        failed.for_each(|run| *run = None);
     }
 
     /// The files of all cases so far, for a last check.

@@ -22,7 +22,7 @@ use super::record::CaseRecord;
 pub use crate::quantities::Bars as ErrorBars;
 use crate::scene::CaseConfig;
 use crate::simulation::{Maximum, Outcome};
-use crate::study::Study;
+use crate::study::{Case, Study};
 
 // Errors that companions do not show. With these values 95 % of the bars of 144 cases hold. Their
 // walls and waves lie between those of the 300 cases, at six spacings
@@ -93,7 +93,19 @@ impl Study {
         own.map_or_else(Default::default, |own| self.error_bars_of(own, records))
     }
 
-    /// The same for a record that is not among the others.
+    /// The companions of a successful case that failed, with their records. `records` are in the
+    /// order of [`Study::runs`].
+    pub fn failed_companions<'a>(
+        &'a self,
+        own: &CaseRecord,
+        records: &'a [Option<CaseRecord>],
+    ) -> impl Iterator<Item = (&'a Case, &'a CaseRecord)> {
+        let of = own.is_ok().then(|| &self.companions_of[own.index]);
+        let all = of.into_iter().flatten().filter_map(|&run| records.get(run)?.as_ref());
+        all.filter(|record| !record.is_ok()).map(|record| (self.run(record.index), record))
+    }
+
+    /// The bars of a record that is not among the others.
     pub(super) fn error_bars_of(
         &self,
         own: &CaseRecord,
