@@ -35,8 +35,10 @@ section! {
         gravity_m_per_s2: f64 = 9.81, unit("m/s²").above_zero();
         /// ρ0, the density at zero pressure.
         water_density_kg_per_m3: f64 = 1000.0, unit("kg/m³").above_zero();
-        /// Density at the instant of release.
-        initial_density: InitialDensity = InitialDensity::DamBreak, plain();
+        /// Density at the instant of release. A column that fills its tank stays at rest, and has
+        /// `hydrostatic` by default. `dam-break` would have no pressure at the wall before it.
+        initial_density: Option<InitialDensity> = None,
+            plain().otherwise("dam-break; hydrostatic where L is the tank's length");
         /// The run ends at this time.
         end_time_s: Option<f64> = None, unit("s").above_zero().otherwise("8 √(H/g)");
         /// Spacing of the history's samples.
@@ -53,6 +55,18 @@ impl DamBreakScene {
     pub(super) fn plunges(&self) -> bool {
         // An end in a file may be rounded.
         self.frame().end_time > 1.001 * self.usual_end() * self.slenderness()
+    }
+
+    /// Whether the column stands between both walls, so that nothing of it is released.
+    pub(super) fn fills_tank(&self) -> bool {
+        self.column_length_m >= self.tank_length_m
+    }
+
+    fn starts_with(&self) -> InitialDensity {
+        self.initial_density.unwrap_or(match self.fills_tank() {
+            true => InitialDensity::Hydrostatic,
+            false => InitialDensity::DamBreak,
+        })
     }
 
     /// The default end, seconds.
@@ -110,7 +124,7 @@ impl SceneOfKind for DamBreakScene {
         let frame = self.frame();
         let lattice = self.lattice(numerics);
         let sound_speed = frame.sound_speed(numerics);
-        let pressures = match self.initial_density {
+        let pressures = match self.starts_with() {
             InitialDensity::DamBreak => {
                 let column = ReleasedColumn {
                     length: self.column_length_m,

@@ -2,8 +2,10 @@
 
 mod early;
 mod probes;
+mod released;
 
 use early::early;
+use released::released;
 
 use super::config::CaseConfig;
 use super::kind::Scene;
@@ -36,7 +38,7 @@ const OVERSHOOT: f64 = 0.05;
 
 /// Values of a case that look like mistakes: key, value, and the usual value.
 pub fn odd_values(config: &CaseConfig) -> Vec<ConfigError> {
-    let all = [density(config), interval(config), end(config)];
+    let all = [density(config), interval(config), end(config), released(&config.scene)];
     let mut odd: Vec<_> = all.into_iter().flatten().collect();
     if let Some(scene) = config.scene.seawall() {
         let near =

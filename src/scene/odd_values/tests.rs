@@ -226,3 +226,17 @@ fn a_gauge_under_a_wall_is_told() {
     assert_eq!(told("volume", 2.4), [""; 0]);
     assert_eq!(odd_with("wall_angle_deg = 110", "kind = \"level\"\nx_m = 2.49"), [""; 0]);
 }
+
+/// The story: a column as long as its tank, still water between walls, began as if it were released. Nothing pressed the
+/// wall before it, and F* was 1.5 in the first instants.
+#[test]
+fn a_column_that_fills_its_tank_cannot_be_released() {
+    let told = |scene: &str| odd(&format!("kind = \"dam-break\"\n{scene}"));
+    let full = "column_length_m = 1\ntank_length_m = 1\ninitial_density";
+    assert_eq!(told("column_length_m = 1\ntank_length_m = 1"), [""; 0]);
+    assert_eq!(told(&format!("{full} = \"hydrostatic\"")), [""; 0]);
+    assert_eq!(told("initial_density = \"dam-break\""), [""; 0]);
+    let odd = told(&format!("{full} = \"dam-break\""));
+    let text = "scene.initial_density = \"dam-break\": the column fills its tank";
+    assert!(odd.len() == 1 && odd[0].starts_with(text), "{odd:?}");
+}
