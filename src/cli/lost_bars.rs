@@ -3,13 +3,13 @@
 use serde_json::{Value, json};
 
 use crate::math::words::counted;
-use crate::report::plain;
+use crate::report::as_typed;
 use crate::results::CaseRecord;
 use crate::study::{Case, Study};
 
 /// A companion that failed, and why.
 fn why((case, record): (&Case, &CaseRecord)) -> String {
-    let spacing = plain(1e3 * case.config.numerics.particle_spacing_m);
+    let spacing = as_typed(1e3 * case.config.numerics.particle_spacing_m);
     format!("the companion with particles {spacing} mm apart failed: {}", record.reason)
 }
 
