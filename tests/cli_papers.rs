@@ -237,6 +237,18 @@ fn what_cannot_be_compared_is_told() {
     assert!(untold.err.contains(&why), "{}", untold.err);
 }
 
+/// The story: a threshold that was asked for ran, and the figure drew the paper's beside the curve.
+#[test]
+fn a_figure_draws_the_threshold_that_was_asked_for() {
+    let root = tempfile::tempdir().unwrap();
+    let out = root.path().join("out");
+    let figure = ["reproduce", "liang2017", "--figure", "7", "--out", out.to_str().unwrap()];
+    let set = ["--set", "numerics.particle_spacing_m=0.05", "--set", "scene.threshold_ratio=1.5"];
+    ended(0, &[&figure[..], &set].concat());
+    let drawn = fs::read_to_string(out.join("figure-7.svg")).unwrap();
+    assert!(drawn.contains("threshold, 1.5") && !drawn.contains("threshold, 1.1"), "{drawn}");
+}
+
 /// A record made from a case's own gauge: a centimetre higher, and later by what does not count.
 #[test]
 fn a_case_is_held_against_measurements() {

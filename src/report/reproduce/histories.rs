@@ -28,6 +28,9 @@ pub fn drawing(
     columns: &[String],
     line: Option<f64>,
 ) -> Result<Option<Drawn>, ReportError> {
+    // `--set` may have changed the law of the figure's cases.
+    let own = material.known().into_iter().find_map(|(.., config)| config.value("threshold_ratio"));
+    let line = line.map(|printed| own.unwrap_or(printed));
     let cases = material.cases();
     let rows: Vec<&Row> = cases.iter().map(|(_, row)| *row).collect();
     let words = words(&rows);
