@@ -86,11 +86,11 @@ impl PaddleLaw for GoringPaddle {
         self.duration
     }
 
-    /// Cached: a study asks each case for this several times, and most cases have the same wave.
     fn goes_back(&self) -> f64 {
         0.0
     }
 
+    /// Cached: a study asks each case for this several times, and most cases have the same wave.
     fn goes_forth(&self) -> f64 {
         LAST.with(|last| match last.get() {
             Some((paddle, forth)) if paddle == *self => forth,
