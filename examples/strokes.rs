@@ -13,6 +13,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use common::{number, read};
+use seawall::math::root::bisected;
 
 const DEPTH: f64 = 0.218;
 const GRAVITY: f64 = 9.81;
@@ -112,12 +113,7 @@ fn celerity(height: f64) -> f64 {
 
 /// Where a function that rises passes zero, between nothing and the depth.
 fn root(function: impl Fn(f64) -> f64) -> f64 {
-    let (mut low, mut high) = (0.0, 2.0 * DEPTH);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if function(middle) < 0.0 { low = middle } else { high = middle }
-    }
-    low
+    bisected([0.0, 2.0 * DEPTH], |at| function(at) >= 0.0)[0]
 }
 
 fn series(path: &Path, column: &str) -> Result<Series, Failed> {

@@ -1,6 +1,7 @@
 //! One run of the tank: Runge-Kutta steps of water and wall, the stop, the readings.
 
 use seawall::body::{GoringPaddle, PaddleLaw};
+use seawall::math::root::bisected;
 
 use super::gmres::NotConverged;
 use super::grid::Grading;
@@ -297,12 +298,7 @@ fn crossing(from: [f64; 2], to: [f64; 2], dt: f64) -> f64 {
             + q * q * (1.0 + 2.0 * p) * to[0]
             + p * q * dt * (p * from[1] - q * to[1])
     };
-    let (mut low, mut high) = (0.0, 1.0);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if at(middle) < 0.0 { high = middle } else { low = middle }
-    }
-    high
+    bisected([0.0, 1.0], |s| at(s) < 0.0)[1]
 }
 
 #[cfg(test)]

@@ -149,10 +149,32 @@ pub(super) fn series(path: &Path, needed: &[&'static str]) -> Result<History, Re
     Ok(History(columns.map(series).collect()))
 }
 
+/// The value at a time, interpolated between samples; `None` where the run had ended by then.
+pub fn at(points: &[(f64, f64)], time: f64) -> Option<f64> {
+    /// The last sample may be a step before the end.
+    const SLACK_S: f64 = 0.02;
+    let after = points.partition_point(|point| point.0 < time);
+    let last = points.last().filter(|last| time <= last.0 + SLACK_S)?;
+    let next = points.get(after).unwrap_or(last);
+    let before = points[after.saturating_sub(1).min(points.len() - 1)];
+    let share = if next.0 > before.0 { (time - before.0) / (next.0 - before.0) } else { 0.0 };
+    Some(before.1 + share.clamp(0.0, 1.0) * (next.1 - before.1))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::report::fixture;
+
+    #[test]
+    fn values_lie_between_samples_and_end_with_the_run() {
+        let points = [(0.0, 1.0), (1.0, 3.0), (2.0, 2.0)];
+        assert_eq!(at(&points, 0.5), Some(2.0));
+        assert_eq!(at(&points, 2.0), Some(2.0));
+        assert_eq!(at(&points, 2.01), Some(2.0), "a step before the end");
+        assert_eq!(at(&points, 2.5), None);
+        assert_eq!(at(&[], 0.0), None);
+    }
 
     #[test]
     fn gauges_have_units_and_readings_their_order() {

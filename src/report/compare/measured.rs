@@ -7,7 +7,7 @@ use crate::quantities::{heading, history};
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
 use crate::report::plots::axis_of_gauge;
-use crate::report::series::{Series, series};
+use crate::report::series::{Series, at, series};
 
 /// Times in seconds and values.
 type Points = Vec<(f64, f64)>;
@@ -86,8 +86,9 @@ impl Beside {
         let is_gauge = !computed.unit.is_empty();
         let axis = if is_gauge { axis_of_gauge(computed) } else { (heading(&computed.name), 1.0) };
         // A measured time may lie between the last computed one that counts and the next.
-        let square = |&(time, value): &(f64, f64)| (at(&computed.points, time) - value).powi(2);
-        let sum: f64 = own.iter().map(square).sum();
+        let square =
+            |&(time, value): &(f64, f64)| Some((at(&computed.points, time)? - value).powi(2));
+        let sum: f64 = own.iter().filter_map(square).sum();
         Ok(Beside {
             name: measured.name.clone(),
             unit: computed.unit.clone(),
@@ -150,14 +151,6 @@ fn extreme(points: &Points, sign: f64) -> (f64, f64) {
         if sign * point.1 > sign * best.1 { *point } else { best }
     };
     points.iter().fold(points[0], more)
-}
-
-/// The value at a time within the points, on a line between its neighbours.
-fn at(points: &Points, time: f64) -> f64 {
-    let after = points.partition_point(|point| point.0 <= time).clamp(1, points.len().max(2) - 1);
-    let (before, after) = (points[after - 1], points.get(after).copied());
-    let Some(after) = after.filter(|after| after.0 > before.0) else { return before.1 };
-    before.1 + (after.1 - before.1) * ((time - before.0) / (after.0 - before.0)).clamp(0.0, 1.0)
 }
 
 #[cfg(test)]

@@ -7,6 +7,7 @@ use crate::report::config::Config;
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
 use crate::report::row::Row;
+use crate::report::series::at;
 
 /// Step times are compared with those of this interpolator at walls.
 const REFERENCE: &str = "improved-shepard";
@@ -59,18 +60,6 @@ fn off_their_clock(row: &Row, time: f64) -> Option<f64> {
     Some(time + row.number(&STROKE_CENTRE)? - PAPER_CLOCK_CENTRE_S)
 }
 
-/// The value at a time, interpolated between samples; `None` where the run had ended by then.
-pub fn at(points: &[(f64, f64)], time: f64) -> Option<f64> {
-    /// The last sample may be a step before the end.
-    const SLACK_S: f64 = 0.02;
-    let after = points.partition_point(|point| point.0 < time);
-    let last = points.last().filter(|last| time <= last.0 + SLACK_S)?;
-    let next = points.get(after).unwrap_or(last);
-    let before = points[after.saturating_sub(1).min(points.len() - 1)];
-    let share = if next.0 > before.0 { (time - before.0) / (next.0 - before.0) } else { 0.0 };
-    Some(before.1 + share.clamp(0.0, 1.0) * (next.1 - before.1))
-}
-
 /// Where the wall stands, m from the paddle at rest.
 fn place(displacement: f64, config: &Config) -> Option<f64> {
     Some(config.value("tank_length_m")? + displacement * config.value("still_water_depth_m")?)
@@ -103,16 +92,6 @@ pub fn step_time(row: &Row) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn values_lie_between_samples_and_end_with_the_run() {
-        let points = [(0.0, 1.0), (1.0, 3.0), (2.0, 2.0)];
-        assert_eq!(at(&points, 0.5), Some(2.0));
-        assert_eq!(at(&points, 2.0), Some(2.0));
-        assert_eq!(at(&points, 2.01), Some(2.0), "a step before the end");
-        assert_eq!(at(&points, 2.5), None);
-        assert_eq!(at(&[], 0.0), None);
-    }
 
     #[test]
     fn their_clock_starts_a_second_before_the_middle_of_the_stroke() {

@@ -21,7 +21,7 @@ use super::tables::Table;
 use crate::papers::{Printed, Read, printed, scenes};
 use crate::quantities::summary::FORCE_COUPLING;
 
-pub(super) use computed::{at, column, on_their_clock, step_time};
+pub(super) use computed::{column, on_their_clock, step_time};
 pub use sentences::{answer, method, sentences};
 pub use table::{beside, others, tidy};
 

@@ -1,7 +1,7 @@
 //! What gauges recorded, one panel for each, one curve per case: Figs. 3, 7 and 11 of Huang et al. 2019.
 
 use super::laws::{looks, words};
-use super::{Drawn, Material, drawn};
+use super::{Drawn, Material, clock, drawn, is_on_clock};
 use crate::papers::PAPER_CLOCK_CENTRE_S;
 use crate::quantities::summary::STROKE_CENTRE;
 use crate::report::config::{Config, gauges};
@@ -63,11 +63,9 @@ pub fn drawing(
             reach.push(level);
         }
         let Some(y) = Axis::around(reach.into_iter(), 4.0) else { continue };
-        let shifted = cases.iter().any(|case| case.row.number(&STROKE_CENTRE).is_some());
-        let titles = match (column, shifted) {
-            (true, _) => ["t √(g/H)", "p / (ρgH)"],
-            (_, true) => ["t, s, on the papers' clock", "p / (ρgh)"],
-            _ => ["t, s", "p / (ρgh)"],
+        let titles = match column {
+            true => ["t √(g/H)", "p / (ρgH)"],
+            false => [clock(is_on_clock(&rows)), "p / (ρgh)"],
         };
         charts.push(Chart::new((x, y), titles, ["time", name], curves).under(name, ""));
     }

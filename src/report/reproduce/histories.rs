@@ -2,7 +2,7 @@
 //! Figs. 4, 7 and 9 to 12 of Liang et al. 2017, Fig. 15 of Huang et al. 2019.
 
 use super::laws::{heading, laws, looks, stands, words};
-use super::{Drawn, Material, drawn};
+use super::{Drawn, Material, clock, drawn, is_on_clock};
 use crate::papers::{PAPER_CLOCK_CENTRE_S, Printed, printed};
 use crate::quantities::history;
 use crate::quantities::summary::STROKE_CENTRE;
@@ -42,8 +42,8 @@ pub fn drawing(
     }
     let times = panels.iter().flat_map(|(.., panel)| places(&panel.curves));
     let Some(x) = Axis::within(times, 6.0) else { return Ok(None) };
-    let on_clock = rows.iter().any(|row| row.number(&STROKE_CENTRE).is_some());
-    let clock = if on_clock { "t, s, on the papers' clock" } else { "t, s" };
+    let on_clock = is_on_clock(&rows);
+    let clock = clock(on_clock);
     let starred = panels.iter().flat_map(|(.., panel)| &panel.curves).any(is_printed);
     let mut charts = Vec::new();
     let heights = |name: &str| {

@@ -23,7 +23,7 @@ use super::plots::{self, Chart, Drawing, Figure, Layout};
 use super::row::Row;
 use super::tables::Table;
 use crate::papers::{Draw, Recipe, paper};
-use crate::quantities::summary::DOUBTFUL;
+use crate::quantities::summary::{DOUBTFUL, STROKE_CENTRE};
 
 /// A figure of a paper, as this program makes it.
 #[derive(Debug, Clone)]
@@ -42,6 +42,16 @@ pub struct Reproduced {
 struct Drawn {
     drawing: Drawing,
     caption: String,
+}
+
+/// Whether one of these cases has a paddle, so that times are told on the papers' clock.
+fn is_on_clock(rows: &[&Row]) -> bool {
+    rows.iter().any(|row| row.number(&STROKE_CENTRE).is_some())
+}
+
+/// The title of the axis of time.
+fn clock(on_clock: bool) -> &'static str {
+    if on_clock { "t, s, on the papers' clock" } else { "t, s" }
 }
 
 /// Panels of this outer size, so many in a row; `None` without panels.

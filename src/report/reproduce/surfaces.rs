@@ -9,10 +9,9 @@ use crate::quantities::summary::{FORCE_COUPLING, STROKE_CENTRE, WAVE_HEIGHT_RATI
 use crate::report::config::{Config, Gauge, gauges};
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
-use crate::report::papers::at;
 use crate::report::plots::{Axis, Chart, Curve, Entry, Layout, Look, Point, places, points};
 use crate::report::row::Row;
-use crate::report::series::History;
+use crate::report::series::{History, at};
 use crate::theory::solitary_wave::SolitaryWave;
 
 /// One case: its tank, and the records of its gauges.
