@@ -121,11 +121,20 @@
     for (const name of ["ground", "ink", "quiet", "solid", "line"]) ink[name] = style.getPropertyValue("--" + name);
   }
 
+  // A bar of a round length under a picture: at most a fifth of its width.
+  function rule(bar, view, scale) {
+    const most = 0.2 * (view.x1 - view.x0), power = 10 ** Math.floor(Math.log10(most));
+    const length = [5, 2, 1].map((times) => Number((times * power).toPrecision(1))).find((length) => length <= most);
+    bar.querySelector("i").style.width = length * scale + "px";
+    bar.querySelector("span").textContent = length + " m";
+  }
+
   function draw(canvas, view) {
     // A tall picture is made narrower, so that all of the page is seen at once.
     canvas.style.maxWidth = 0.62 * window.innerHeight * (view.x1 - view.x0) / (view.y1 - view.y0) + "px";
     const ratio = window.devicePixelRatio || 1, width = canvas.clientWidth;
     const scale = width / (view.x1 - view.x0), height = Math.round(scale * (view.y1 - view.y0));
+    rule(canvas.nextElementSibling, view, scale);
     if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
       canvas.width = Math.round(width * ratio);
       canvas.height = Math.round(height * ratio);
@@ -199,13 +208,13 @@
     return Math.min(8, Math.max(2, 1 - Math.floor(Math.log10(high - low || 1))));
   }
 
+  const first = film.times[0], end = film.times[frames - 1], often = decimals(first, end);
   // Curves of F*, R* and X* over time, each with a cursor.
   const charts = film.history.curves.map((curve) => {
     const times = film.history.time_s, box = document.createElement("figure");
     const { low, high } = curve, air = 0.1 * (high - low);
     const beyond = curve.values.some((value) => value > high + air || value < low - air);
-    const first = film.times[0], end = film.times[frames - 1];
-    const fine = decimals(low, high), often = decimals(first, end);
+    const fine = decimals(low, high);
     const x = (t) => 1000 * (t - first) / (end - first || 1), y = (v) => 100 - 100 * (v - low) / (high - low);
     const points = times.map((t, k) => x(t).toFixed(1) + "," + y(curve.values[k]).toFixed(1)).join(" ");
     // Three levels and five instants, as words beside a drawing that is stretched.
@@ -237,8 +246,8 @@
   });
 
   const slider = find("time"), play = find("play"), clock = find("clock");
-  slider.min = film.times[0];
-  slider.max = film.times[frames - 1];
+  slider.min = first;
+  slider.max = end;
   slider.step = "any";
 
   function render() {
@@ -251,9 +260,9 @@
       draw(find("wall"), { x0: at, x1: at + film.near.width, y0: film.whole.y0, y1: film.whole.y1 });
     }
     const told = charts.map((show) => show());
-    clock.textContent = "t = " + time.toFixed(2) + " s";
+    clock.textContent = "t = " + time.toFixed(often) + " s";
     slider.value = time;
-    slider.setAttribute("aria-valuetext", time.toFixed(2) + " seconds, " + told.join(", "));
+    slider.setAttribute("aria-valuetext", time.toFixed(often) + " seconds, " + told.join(", "));
   }
 
   function go(to) {

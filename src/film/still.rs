@@ -93,6 +93,7 @@ impl Still<'_> {
             self.solids(&mut text, &sheet, &tops);
         }
         self.scale(&mut text, bottom + 70.0);
+        rule(&mut text, &sheet, bottom + 70.0);
         text + "</svg>\n"
     }
 
@@ -161,6 +162,9 @@ impl Still<'_> {
             let back = (left - thick).max(x0);
             sheet.shape(text, &[[back, bed], [left, bed], [left, top], [back, top]]);
         }
+        if let Some(lid) = stage.lid {
+            sheet.shape(text, &[[x0, lid], [x1, lid], [x1, view.y1], [x0, view.y1]]);
+        }
         if stage.wall == WallKind::Crest {
             return;
         }
@@ -223,4 +227,22 @@ impl Still<'_> {
             (from + wide * scale::LEVELS as f64 + 30.0, significant(self.end / units, 3));
         let _ = writeln!(text, "<text x=\"{x}\" y=\"{baseline}\">≥ {end} {unit}</text>");
     }
+}
+
+/// A bar of a round length: at most a fifth of the picture's width.
+fn rule(text: &mut String, sheet: &Sheet, top: f64) {
+    let most = 0.2 * (sheet.view.x1 - sheet.view.x0);
+    let power = 10_f64.powf(libm::log10(most).floor());
+    let length = [5.0, 2.0].map(|times| times * power).into_iter().find(|length| *length <= most);
+    let length = significant(length.unwrap_or(power), 1);
+    let (end, foot) = (ACROSS - 60.0, top + 58.0);
+    let start = (end - length * sheet.scale).round();
+    let _ = writeln!(
+        text,
+        "<path class=\"stroke\" d=\"M{start} {}V{foot}H{end}V{}\"/>\n\
+         <text x=\"{}\" y=\"{foot}\" text-anchor=\"end\">{length} m</text>",
+        foot - 20.0,
+        foot - 20.0,
+        start - 30.0
+    );
 }

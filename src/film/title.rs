@@ -70,7 +70,8 @@ pub(super) fn about(config: &CaseConfig) -> String {
 /// The title of a still: the time, and the readings.
 pub(super) fn moment(config: &CaseConfig, take: &Take, result: &CaseResult) -> String {
     let row = |row: &&HistoryRow| (row.time_s - take.time_s).abs();
-    let mut told = format!("t = {:.2} s", take.time_s);
+    let span = result.history.last().map_or(0.0, |last| last.time_s - result.history[0].time_s);
+    let mut told = format!("t = {:.*} s", decimals(span), take.time_s);
     if let Some(row) = result.history.iter().min_by(|a, b| row(a).total_cmp(&row(b))) {
         let moves = config.scene.seawall().is_some_and(|scene| scene.wall.moves());
         let mut tell = |symbol: &str, of: fn(&HistoryRow) -> f64, always: bool| {
@@ -83,6 +84,11 @@ pub(super) fn moment(config: &CaseConfig, take: &Take, result: &CaseResult) -> S
         tell("X*", |row| row.displacement, moves);
     }
     told
+}
+
+/// Decimals of a time that tell instants of this span apart: two, or more where it is short; s.
+fn decimals(span: f64) -> usize {
+    if span > 0.0 { (1.0 - libm::log10(span).floor()).clamp(2.0, 8.0) as usize } else { 2 }
 }
 
 #[cfg(test)]
@@ -114,6 +120,12 @@ mod tests {
         let crest = told(&format!("wave_period_s = 1.2\n{crest}"));
         let over = "with its crest 0.05 m over still water and 0.3 m wide";
         assert_eq!(crest, format!("{waves} {over}"));
+    }
+
+    /// The story: all stills of a run of 2 ms were at "t = 0.00 s".
+    #[test]
+    fn times_of_short_runs_have_more_decimals() {
+        assert_eq!([0.0, 0.002, 0.3, 1.0, 35.0, 9000.0].map(decimals), [2, 4, 2, 2, 2, 2]);
     }
 
     #[test]
