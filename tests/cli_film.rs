@@ -288,3 +288,25 @@ fn a_run_is_filmed_also_when_it_is_finished() {
     ended(0, &[&arguments[..], &["speed"]].concat());
     assert_ne!(fs::read(desk.out.join("films").join(&name)).unwrap(), page);
 }
+
+/// The story: water that fills a box had a "Highest runup", and a panel of gaps between its vortices as
+/// R / h. Its force was said to be over ½ρgh², without gravity.
+#[test]
+fn water_without_a_level_has_no_runup() {
+    let desk = Desk::new(
+        "name = \"box\"\n[scene]\nkind = \"taylor-green\"\nend_time_s = 0.2\n\
+         [numerics]\nparticle_spacing_m = 0.05",
+    );
+    ended(0, &["run", &desk.file, "--out", &desk.dir, "--film"]);
+    ended(0, &["report", &desk.dir]);
+    let read = |name: &str| fs::read_to_string(desk.out.join(name)).unwrap();
+    let figure = read("figures/history.svg");
+    assert!(figure.contains("F / (ρU²L)") && !figure.contains("R / h"), "{figure}");
+    let [page, still] = &films(&desk.out)[..] else { panic!("{:?}", films(&desk.out)) };
+    assert!(!read(&format!("films/{still}")).contains("R* ="));
+    let film = read(&format!("films/{page}"));
+    assert!(film.contains("force on the wall over ρU²L") && !film.contains("runup over h"));
+    let film = film.split("id=\"film\">").nth(1).unwrap().split("</script>").next().unwrap();
+    let film: serde_json::Value = serde_json::from_str(film).unwrap();
+    assert_eq!(film["highest"], film["crest"], "there is no button of its own");
+}

@@ -89,16 +89,12 @@ impl PageFilm {
             fs::create_dir(&self.folder).map_err(at(&self.folder))?;
         }
         let (mut stills, crest_s) = (String::new(), takes[crest].time_s);
-        let highest = nearest(takes, result.outcome.runup_max.time_s);
         let climbs = is_read(result, |row| row.runup);
+        let highest = if climbs { nearest(takes, result.outcome.runup_max.time_s) } else { crest };
         let other = |take: &&Take| take.time_s != crest_s;
         let moments = [
             (page.with_extension("svg"), Some(&takes[crest]), true),
-            (
-                self.still(id, "highest"),
-                Some(&takes[highest]).filter(|_| climbs).filter(other),
-                false,
-            ),
+            (self.still(id, "highest"), Some(&takes[highest]).filter(other), false),
             (self.still(id, "furthest"), furthest(takes, stage.depth).filter(other), true),
         ];
         for (picture, take, inside) in moments {
@@ -108,7 +104,10 @@ impl PageFilm {
             stills += if inside { &still } else { "" };
         }
         let reel = Reel { takes, crest, highest, stage: &stage, end };
-        let film = reel.json(result).to_string().replace('<', "\\u003c");
+        let film = reel
+            .json(result, config.scene.frame().force_unit())
+            .to_string()
+            .replace('<', "\\u003c");
         let (colour, unit, units) = self.colour.legend();
         let fields = [
             ("{title}", title(config)),

@@ -48,8 +48,8 @@ struct Packed {
 }
 
 impl Reel<'_> {
-    /// All data for the script.
-    pub fn json(&self, result: &CaseResult) -> Value {
+    /// All data for the script; F* is over this unit.
+    pub fn json(&self, result: &CaseResult, force_unit: &str) -> Value {
         let [left, low, span] = self.extent();
         let particles = self.takes[0].points.len();
         let room = (ROOM * (self.takes.len() * particles) as f64) as usize;
@@ -73,7 +73,7 @@ impl Reel<'_> {
         film["left"] = times(|take| take.walls[0]).collect();
         film["right"] = times(|take| take.walls[1]).collect();
         film["colours"] = json!(scale::colours());
-        film["history"] = curves(result);
+        film["history"] = curves(result, force_unit);
         film["data"] = json!(STANDARD.encode(&packed.bytes));
         film
     }
@@ -108,7 +108,7 @@ fn finest_quantum(span: f64, spacing: f64) -> f64 {
 }
 
 /// F*, R* and X* over time, at each change, with the ends of their axes.
-fn curves(result: &CaseResult) -> Value {
+fn curves(result: &CaseResult, force_unit: &str) -> Value {
     let history = &result.history;
     let rows: Vec<_> = history.iter().step_by(history.len().div_ceil(MOST_POINTS).max(1)).collect();
     let read = |read: fn(&HistoryRow) -> f64| rows.iter().map(move |row| five_digits(read(row)));
@@ -127,7 +127,7 @@ fn curves(result: &CaseResult) -> Value {
     };
     let outcome = &result.outcome;
     let (force, runup) = (Some(outcome.force_max), Some(outcome.runup_max));
-    curve("F*", "force on the wall over ρgh²/2", |row| row.force, force);
+    curve("F*", &format!("force on the wall over {force_unit}"), |row| row.force, force);
     curve("R*", "runup over h", |row| row.runup, runup);
     curve(
         "X*",

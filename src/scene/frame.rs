@@ -69,6 +69,11 @@ impl Frame {
         self.density * self.speed_squared() * depth
     }
 
+    /// What F* is over, in symbols. L is the side of the box, U the speed.
+    pub fn force_unit(&self) -> &'static str {
+        if self.gravity > 0.0 { "½ρgh²" } else { "ρU²L" }
+    }
+
     /// g; if the scene has its own speed, the square of that over the depth, m/s².
     pub fn acceleration(&self) -> f64 {
         self.speed.map_or(self.gravity, |speed| speed * speed / self.depth)

@@ -53,7 +53,8 @@ impl Run {
         let reading = Reading {
             time: clock.time,
             force: force / tank.static_force,
-            runup: runup / depth,
+            // Without gravity there is no level. A gap in a box full of water is none.
+            runup: if frame.gravity > 0.0 { runup / depth } else { 0.0 },
             displacement: wall.map_or(0.0, |wall| wall.displacement / depth),
             stops: wall.map_or(0, |wall| wall.stops),
         };

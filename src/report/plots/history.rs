@@ -2,6 +2,8 @@
 //! figure with a few curves. They are spread over the stiffnesses, over the masses at one
 //! stiffness, or over other swept keys. Without waves, one figure has a few cases.
 
+mod without_wave;
+
 use super::look::Look;
 use super::marks::{said, shown_are, wave_said};
 use super::over_time::{self, Strip};
@@ -64,7 +66,7 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
             });
         }
     }
-    figures.extend(without_wave(data)?);
+    figures.extend(without_wave::figure(data)?);
     Ok(figures)
 }
 
@@ -72,30 +74,6 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
 fn groups(rows: Vec<&Row>) -> Vec<Vec<&Row>> {
     let groups = grouped(rows.iter().map(|row| (&row.variant, *row)));
     if groups.len() == rows.len() { vec![rows] } else { groups }
-}
-
-/// The figure of scenes without a paddle: a still tank, a dam break, a flow with an exact answer.
-fn without_wave(data: &Loaded) -> Result<Option<Figure>, ReportError> {
-    let rows: Vec<_> =
-        data.finished().filter(|row| row.number(&WAVE_HEIGHT_RATIO).is_none()).collect();
-    let chosen = spread(&rows, CURVES).into_iter().map(|row| (row.words(), row)).collect();
-    let lines = read(data, chosen)?;
-    let mut strips = strips(&lines);
-    strips.retain(Strip::holds_anything);
-    if strips.is_empty() {
-        return Ok(None);
-    }
-    let drop = dropped(lines.len(), rows.len(), "without a wave", "spread over their order");
-    Ok(Some(Figure {
-        drawing: over_time::strips(&strips),
-        name: "history".to_owned(),
-        title: "Histories".to_owned(),
-        caption: format!(
-            "Force (unfiltered) along x on the right wall and level at it above still water, over \
-             time; h is the depth of the still water or the height of the column. Spikes of one or \
-             two samples may leave the panel.{drop}"
-        ),
-    }))
 }
 
 /// The end of a caption: what was picked, if not all cases are shown.
