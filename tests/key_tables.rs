@@ -24,9 +24,11 @@ fn table(keys: &[&Key], sets: &[(&str, Table)]) -> String {
             let only = key.rule.only.filter(|when| when.key == "scheme");
             only.is_none_or(|when| when.values.contains(&scheme(set).as_str()))
         };
-        let value = |set: &Table| match set.get(key.name).filter(|_| is_read(set)) {
+        // A set that leaves a key out leaves its own default.
+        let value = |set: &Table| match set.get(key.name) {
+            _ if !is_read(set) => " none |".to_owned(),
             Some(value) => format!(" {} |", code(&value.to_string())),
-            None => " none |".to_owned(),
+            None => format!(" {} |", code(&key.default_in_words())),
         };
         let mut values: String = sets.iter().map(|(_, set)| value(set)).collect();
         if sets.is_empty() {

@@ -13,7 +13,7 @@ use crate::math::words::counted;
 use crate::report::find::find;
 use crate::report::load::Loaded;
 
-/// Find the cases of a finished study that meet a condition. Along each swept key, tell where they begin
+/// Find the cases of a finished study that meet a condition. For each swept key, tell where they begin
 /// and where they end.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:

@@ -65,8 +65,8 @@ fn text(name: &str) -> String {
     let scene = scene_keys(Kind::DEFAULT);
     let about = format!(
         "A study for seawall. `seawall check {name}.toml` says what it will cost, `seawall sweep \
-         {name}.toml` runs it, `seawall explain KEY` tells more of a key. A line of # and a key shows \
-         the key's default."
+         {name}.toml` runs it, `seawall explain KEY` tells more of a key. A key behind # has its \
+         default."
     );
     let mut text = String::new();
     comment(&mut text, &about);

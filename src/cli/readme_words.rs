@@ -12,7 +12,7 @@ const MOST: usize = 12;
 /// README.md does not explain it.
 pub(super) fn thing(word: &str, all: &[Entry]) -> Option<Entry> {
     let wanted = singular(word);
-    let is_it = |name: &str| singular(name) == wanted;
+    let is_it = |name: &str| singular(&name.replace('\\', "")) == wanted;
     let (name, meaning) = lines().find(|(names, _)| names.split(", ").any(is_it))?;
     let words: Vec<&str> = wanted.split(' ').collect();
     // A single letter is a symbol. In names it is a unit.

@@ -44,7 +44,7 @@ pub(super) struct SweepArgs {
     /// Who does the work. `auto` takes MPI only where an MPI launcher started the process.
     #[arg(long, value_enum, default_value_t = Executor::Auto)]
     executor: Executor,
-    /// Threads per rank. Each takes a case of its own; where fewer cases are left, they share these
+    /// Threads per rank. A thread computes one case. Where fewer cases than threads are left, threads share a case
     /// [default: the node's cores shared among its ranks].
     #[arg(long, value_name = "N", value_parser = options::threads(), allow_negative_numbers = true)]
     threads: Option<u16>,
@@ -65,8 +65,8 @@ pub(super) struct SweepArgs {
     #[arg(long)]
     no_branch: bool,
     /// Choose the particle spacing case by case, so that force and displacement are within so many
-    /// percent. Error bars verify it; what misses, is doubtful or fails runs again, finer. What cannot be met is
-    /// told at the end and in max_error.csv, and changes no exit code. In the file this is `[accuracy]
+    /// percent. Error bars check it. A case that misses, is doubtful or fails runs again with finer particles. What cannot
+    /// be met is told at the end and in max_error.csv, and changes no exit code. In the file this is `[accuracy]
     /// max_error_percent`.
     #[arg(long, value_name = "PERCENT", allow_hyphen_values = true, value_parser = max_error::percent)]
     max_error: Option<f64>,

@@ -80,9 +80,10 @@ impl PageFilm {
         let id = CaseId::of(config);
         let page = self.path(id);
         let end = scale::end(takes.iter().flat_map(|take| &take.points).map(|point| point[2]));
+        let span = takes[takes.len() - 1].time_s - takes[0].time_s;
         let draw = |take: &Take| {
             let still = still::Still { stage: &stage, take, colour: self.colour, end };
-            still.svg(&title(config), &moment(config, take, result))
+            still.svg(&title(config), &moment(config, take, result, span))
         };
         // Only if the directory still exists.
         if !self.folder.is_dir() {

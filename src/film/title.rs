@@ -67,10 +67,9 @@ pub(super) fn about(config: &CaseConfig) -> String {
     format!("Case {}, particles {spacing} mm apart.", CaseId::of(config))
 }
 
-/// The title of a still: the time, and the readings.
-pub(super) fn moment(config: &CaseConfig, take: &Take, result: &CaseResult) -> String {
+/// The title of a still: the time, and the readings. The film has this span, s.
+pub(super) fn moment(config: &CaseConfig, take: &Take, result: &CaseResult, span: f64) -> String {
     let row = |row: &&HistoryRow| (row.time_s - take.time_s).abs();
-    let span = result.history.last().map_or(0.0, |last| last.time_s - result.history[0].time_s);
     let mut told = format!("t = {:.*} s", decimals(span), take.time_s);
     if let Some(row) = result.history.iter().min_by(|a, b| row(a).total_cmp(&row(b))) {
         let moves = config.scene.seawall().is_some_and(|scene| scene.wall.moves());

@@ -63,7 +63,7 @@ section! {
         /// Nothing, behind a wall that no water goes over. Behind one with a crest an outflow, which takes
         /// water away; or a dry floor or a basin of still water, up to an end wall.
         behind: Behind = Behind::Nothing, plain().only("wall", &["fixed"]).newer();
-        /// A movable wall gives way above F_threshold: so many times the force of still water.
+        /// A movable wall leaves its stop when the force exceeds this many times that of still water.
         threshold_ratio: f64 = THRESHOLD_RATIO,
             plain().above_zero().read_where("wall", &["fixed", "movable"]);
         /// The factor s on the force above the threshold.

@@ -93,8 +93,7 @@ impl SweepFile {
             set.apply(&mut file)?;
         }
         if let Some(key) = OF_A_MATRIX.iter().find(|key| file.contains_key(**key)) {
-            let allowed =
-                "is of a matrix: `seawall accuracy FILE` and `seawall stress FILE` take it";
+            let allowed = "is for `seawall accuracy FILE` and `seawall stress FILE`, which take a file of many cases";
             return Err(ConfigError::new(key, "", allowed));
         }
         let others = file.keys().filter(|key| !KEYS.contains(&key.as_str()));

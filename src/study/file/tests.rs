@@ -17,7 +17,7 @@ fn every_bad_file_is_told() {
     let bad = [
         // A shipped matrix was once refused only for unknown keys. The error did not say which
         // command takes it.
-        ("name = \"a\"\n[[case]]\nname = \"b\"", "case: is of a matrix: `seawall accuracy FILE`"),
+        ("name = \"a\"\n[[case]]\nname = \"b\"", "case: is for `seawall accuracy FILE`"),
         (
             "name = \"H\u{f6}he\"",
             "name = \"H\u{f6}he\": must be a word of the letters a to z and A to Z",
