@@ -3,12 +3,15 @@
 //!
 //! - `vtk` and `vtu`: files for ParaView, with all data of the particles, and the walls;
 //! - [`PageFilm`]: a page that plays in a browser, and a still of the crest at the wall. `camera`
-//!   stores the frames, a `take` each; `reel`, `codec` and `coder` pack them. `stage` has the
-//!   surroundings of the water. `title` names the film; `page` and `still` draw it.
+//!   stores the frames, a `take` each; `reel`, `codec` and `coder` pack them, with the `curves` under them. `stage` has the
+//!   surroundings of the water. `title` names the film; `page` and `still` draw it, with
+//!   a `legend`.
 
 mod camera;
 mod codec;
 mod coder;
+mod curves;
+mod legend;
 mod page;
 mod reel;
 mod scale;

@@ -2,16 +2,13 @@
 
 use std::fmt::Write;
 
+use super::legend::{self, ACROSS, escaped};
 use super::scale::{self, Colour};
 use super::stage::{Stage, View, WallKind};
 use super::take::Take;
 use super::tops::Tops;
-use crate::math::decimal::significant;
 
-/// Width of the drawing in units. A unit is a quarter of a pixel.
-const ACROSS: f64 = 3840.0;
-/// Space above and under the water, for words and the scale, in units.
-const ABOVE: f64 = 260.0;
+/// Space under the water, for the scale, in units.
 const UNDER: f64 = 200.0;
 /// Width of lines, in units.
 const STROKE: f64 = 7.0;
@@ -69,31 +66,34 @@ impl Still<'_> {
             View { x0, x1: x0 + near.width, ..whole }
         });
         let scale = ACROSS / (view.x1 - view.x0);
-        let bottom = ABOVE + (view.y1 - view.y0) * scale;
+        let lines = legend::lines(title);
+        let above = legend::above(lines.len());
+        let bottom = above + (view.y1 - view.y0) * scale;
         let sheet = Sheet { view, scale, bottom };
         let height = (bottom + UNDER).round();
         let dashed = self.rest(&sheet).map_or("", |_| " (dashed: the wall at rest)");
-        let [title, moment] = [title, &format!("{moment}{dashed}")]
-            .map(|words| words.replace('&', "&amp;").replace('<', "&lt;"));
+        let moment = format!("{moment}{dashed}");
         let mut text = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"still\" width=\"{}\" height=\"{}\" \
-             viewBox=\"0 0 {ACROSS} {height}\" role=\"img\" aria-label=\"{title}: {moment}\">\n<style>\n\
+             viewBox=\"0 0 {ACROSS} {height}\" role=\"img\" aria-label=\"{}: {}\">\n<style>\n\
              .still {{ color: #1c2329; background: #ffffff; }}\n\
              @media (prefers-color-scheme: dark) {{ .still {{ color: #e4e9ed; background: #14181c; }} }}\n\
              .still text {{ font: 62px system-ui, \"DejaVu Sans\", sans-serif; fill: currentColor; }}\n\
              .still .stroke {{ fill: none; stroke: currentColor; stroke-width: {STROKE}; stroke-linejoin: round; }}\n\
-             </style>\n<text x=\"60\" y=\"95\">{title}</text>\n\
-             <text x=\"60\" y=\"200\">{moment}</text>\n",
+             </style>\n",
             ACROSS / 4.0,
             (height / 4.0).round(),
+            escaped(title),
+            escaped(&moment),
         );
+        legend::words(&mut text, lines.iter().copied().chain([&*moment]));
         let tops = Tops::of(self.stage, self.take, &view);
         self.water(&mut text, &sheet, &tops);
         if self.stage.wall != WallKind::None {
             self.solids(&mut text, &sheet, &tops);
         }
-        self.scale(&mut text, bottom + 70.0);
-        rule(&mut text, &sheet, bottom + 70.0);
+        legend::scale(&mut text, self.colour, self.end, bottom + 70.0);
+        legend::rule(&mut text, view.x1 - view.x0, bottom + 70.0);
         text + "</svg>\n"
     }
 
@@ -204,45 +204,4 @@ impl Still<'_> {
         let far = post + 0.06 * stage.depth;
         sheet.shape(text, &[[post, 0.0], [far, 0.0], [far, stage.depth], [post, stage.depth]]);
     }
-
-    /// The colours and their meaning.
-    fn scale(&self, text: &mut String, top: f64) {
-        let (name, unit, units) = self.colour.legend();
-        let (from, wide) = (620.0, 16.0);
-        let baseline = top + 58.0;
-        let _ = writeln!(
-            text,
-            "<text x=\"{}\" y=\"{baseline}\" text-anchor=\"end\">{name}: 0</text>",
-            from - 30.0
-        );
-        for (level, colour) in scale::colours().iter().enumerate() {
-            let x = from + wide * level as f64;
-            let _ = writeln!(
-                text,
-                "<rect x=\"{x}\" y=\"{top}\" width=\"{}\" height=\"70\" fill=\"{colour}\"/>",
-                wide + 8.0
-            );
-        }
-        let (x, end) =
-            (from + wide * scale::LEVELS as f64 + 30.0, significant(self.end / units, 3));
-        let _ = writeln!(text, "<text x=\"{x}\" y=\"{baseline}\">≥ {end} {unit}</text>");
-    }
-}
-
-/// A bar of a round length: at most a fifth of the picture's width.
-fn rule(text: &mut String, sheet: &Sheet, top: f64) {
-    let most = 0.2 * (sheet.view.x1 - sheet.view.x0);
-    let power = 10_f64.powf(libm::log10(most).floor());
-    let length = [5.0, 2.0].map(|times| times * power).into_iter().find(|length| *length <= most);
-    let length = significant(length.unwrap_or(power), 1);
-    let (end, foot) = (ACROSS - 60.0, top + 58.0);
-    let start = (end - length * sheet.scale).round();
-    let _ = writeln!(
-        text,
-        "<path class=\"stroke\" d=\"M{start} {}V{foot}H{end}V{}\"/>\n\
-         <text x=\"{}\" y=\"{foot}\" text-anchor=\"end\">{length} m</text>",
-        foot - 20.0,
-        foot - 20.0,
-        start - 30.0
-    );
 }
