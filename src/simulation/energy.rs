@@ -128,18 +128,26 @@ impl Ledger {
 impl EnergyBudget {
     /// Paddle work less all other terms, J per metre of width.
     pub fn residual(&self) -> f64 {
-        self.paddle_work
-            - (self.kinetic
-                + self.potential
-                + self.elastic
-                + self.wall_kinetic
-                + self.spring
-                + self.threshold_device
-                + self.stops
-                + self.viscous
-                + self.density_diffusion
-                + self.shifting
-                + self.outflow)
+        // Without `..`: a new term cannot be forgotten.
+        let EnergyBudget {
+            paddle_work,
+            kinetic,
+            potential,
+            elastic,
+            wall_kinetic,
+            spring,
+            threshold_device,
+            stops,
+            viscous,
+            density_diffusion,
+            shifting,
+            outflow,
+        } = *self;
+        let bodies = [wall_kinetic, spring, threshold_device, stops];
+        let losses = [viscous, density_diffusion, shifting, outflow];
+        let found =
+            bodies.into_iter().chain(losses).fold(kinetic + potential + elastic, |a, b| a + b);
+        paddle_work - found
     }
 }
 
