@@ -68,13 +68,8 @@ impl Run {
             if top.is_some_and(|top| at_wall >= top) {
                 return sound.miss();
             }
-            let place = (frame.length, motion);
-            sound.hear(
-                tank.water.as_ref(),
-                (clock.time, at_wall),
-                place,
-                (force, tank.static_force),
-            )
+            let (place, now) = ((frame.length, motion), (clock.time, at_wall));
+            sound.hear(tank.water.as_ref(), now, place, (force, tank.static_force))
         });
         let mount = self.mount();
         self.logbook.measures.push(reading, compression, mount);
@@ -137,16 +132,17 @@ impl Run {
         if tank.water.walls().bodies.len() <= wall {
             return;
         }
-        let motion = BodyMotion { acceleration, ..BodyMotion::default() };
+        let motion = BodyMotion { acceleration, ..Default::default() };
         tank.water.face_pressures(wall, &motion, pressed);
         let ghosts = tank.water.walls();
         let (plane, faces) = (ghosts.bodies[wall].plane, ghosts.up(wall));
         let across = plane.normal[0].abs();
-        let along = ghosts.target_y[faces].iter().map(|y| (y - plane.point[1]) / across);
-        let lever = Lever::of(pressed, along);
+        let along = |y: f64| (y - plane.point[1]) / across;
+        let end = ghosts.crest.as_ref().map(|crest| along(crest.height));
+        let lever = Lever::of(pressed, ghosts.target_y[faces].iter().map(|&y| along(y)), end);
         // Forces are over ½ρgd², moments over ρgd³/6; d is the depth at the wall.
-        let frame = &tank.frame;
-        let depth = (2.0 * tank.static_force / (frame.density * frame.acceleration())).sqrt();
+        let weight = tank.frame.density * tank.frame.acceleration();
+        let depth = (2.0 * tank.static_force / weight).sqrt();
         let moment = reading.force * 3.0 * lever.arm / (depth * across);
         logbook.measures.press(reading.time, moment, pressed);
     }

@@ -18,16 +18,27 @@ pub struct Lever {
 
 impl Lever {
     /// From pressures, Pa, at equidistant points; `along` has their distances from the foot,
-    /// metres.
-    pub fn of(pressures: &[f64], along: impl Iterator<Item = f64> + Clone) -> Lever {
-        let [force, moment] = pressures.iter().zip(along.clone()).fold(
+    /// metres. The face may have an `end`: up to there the last two points tell the pressure.
+    pub fn of(
+        pressures: &[f64],
+        along: impl Iterator<Item = f64> + Clone,
+        end: Option<f64>,
+    ) -> Lever {
+        let mut first = along.clone().take(2);
+        let apart = first.next().zip(first.next()).map_or(0.0, |(a, b)| b - a);
+        let [mut force, mut moment] = pressures.iter().zip(along.clone()).fold(
             [0.0; 2],
             |[force, moment]: [f64; 2], (pressure, along)| {
                 [force + pressure, moment + pressure * along]
             },
         );
-        let mut along = along.take(2);
-        let apart = along.next().zip(along.next()).map_or(0.0, |(a, b)| b - a);
+        if let (Some(end), [.., before, pressure]) = (end, pressures) {
+            let last = along.last().unwrap_or(0.0);
+            let (more, middle) = ((end - last) / apart - 0.5, 0.5 * (last + 0.5 * apart + end));
+            let there = pressure + (pressure - before) * (middle - last) / apart;
+            force += more * there.max(0.0);
+            moment += more * there.max(0.0) * middle;
+        }
         let arm = if force > 0.0 { moment / force } else { 0.0 };
         Lever { arm, force: force * apart }
     }
@@ -119,10 +130,30 @@ mod tests {
         let apart = 0.2 / f64::from(rows);
         let along = (0..rows).map(|row| (f64::from(row) + 0.5) * apart);
         let pressures: Vec<f64> = along.clone().map(|y| 9810.0 * (0.2 - y)).collect();
-        let lever = Lever::of(&pressures, along);
+        let lever = Lever::of(&pressures, along, None);
         assert!((lever.arm / (0.2 / 3.0) - 1.0).abs() < 1e-4, "{lever:?}");
         assert!((lever.force / 196.2 - 1.0).abs() < 1e-12, "{lever:?}");
-        assert_eq!(Lever::of(&[0.0; 4], HEIGHTS.into_iter()), Lever::default());
+        assert_eq!(Lever::of(&[0.0; 4], HEIGHTS.into_iter(), None), Lever::default());
+    }
+
+    /// The story: a crest that took one row of particles more made the moment of the same water 6 %
+    /// larger.
+    #[test]
+    fn the_last_row_presses_as_far_as_the_wall_goes() {
+        let apart = 0.02;
+        let lever = |height: f64| {
+            let rows = (height / apart).round() as usize;
+            let along = (0..rows).map(|row| (row as f64 + 0.5) * apart);
+            let pressures: Vec<f64> = along.clone().map(|y| 9810.0 * (0.3 - y)).collect();
+            Lever::of(&pressures, along, Some(height))
+        };
+        for height in [0.221, 0.2299, 0.2301, 0.239, 0.24] {
+            let force = 9810.0 * (0.3 - 0.5 * height) * height;
+            let moment = 9810.0 * (0.15 - height / 3.0) * height * height;
+            let told = lever(height);
+            assert!((told.force / force - 1.0).abs() < 0.002, "{height}: {told:?}");
+            assert!((told.force * told.arm / moment - 1.0).abs() < 0.01, "{height}: {told:?}");
+        }
     }
 
     /// A pulse that runs up the wall, with sound that a mean removes.
