@@ -6,7 +6,7 @@ mod shape;
 use serde::{Deserialize, Deserializer, Serialize, de};
 
 use self::file::rows;
-use self::shape::{hole, sets_off, turns, widest};
+use self::shape::{hole, sets_off, speeds, turns, widest};
 use super::{BodyMotion, PaddleLaw};
 use crate::keys::{Shared, section};
 
@@ -113,6 +113,16 @@ impl Stroke {
         forth.max(-back)
     }
 
+    /// Where it ends, from its first position, metres.
+    pub fn ends_at(&self) -> f64 {
+        self.0.points.last().map_or(0.0, |last| last[1] - self.0.points[0][1])
+    }
+
+    /// Its speeds at the first points, at the last ones and the largest, m/s.
+    pub fn speeds(&self) -> [f64; 3] {
+        speeds(&self.0.points)
+    }
+
     /// When the paddle has gone a tenth of its reach, seconds; none if it stands still.
     pub fn sets_off_s(&self) -> Option<f64> {
         sets_off(&self.0.points, self.reach())
@@ -126,8 +136,7 @@ impl Stroke {
         (range[1] - forth).max(back - range[0])
     }
 
-    /// Whether it goes back and forth, and so makes one wave after another. A single wave takes one
-    /// way forth, and at most the way back.
+    /// Whether it makes one wave after another. One takes a way forth, and at most the way back.
     pub fn goes_on(&self) -> bool {
         self.turns() >= TURNS
     }
@@ -137,22 +146,19 @@ impl Stroke {
         self.0.turns
     }
 
-    /// The two points beside the widest gap across which the stroke moves, and the median distance
-    /// in time of its points, s.
+    /// The points beside the widest gap across which it moves, and the usual distance of points, s.
     pub fn hole(&self) -> Option<([[f64; 2]; 2], f64)> {
         hole(&self.0.points, self.reach())
     }
 }
 
-/// A cubic spline through the points of a stroke, relative to the first point, at rest at both
-/// ends. After that it stays at the last point.
+/// A cubic spline through the points of a stroke, from the first on, at rest at its ends and after.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RecordedStroke {
     points: Vec<[f64; 2]>,
     /// Velocity at each point, m/s.
     velocities: Vec<f64>,
-    /// How far it goes back (zero or less) and forth, metres. Between points it may go farther than
-    /// they do.
+    /// How far it goes back (zero or less) and forth, between its points too, metres.
     range: [f64; 2],
 }
 
@@ -165,8 +171,7 @@ impl RecordedStroke {
     fn through(points: &[[f64; 2]]) -> RecordedStroke {
         let start = points[0][1];
         let points: Vec<_> = points.iter().map(|&[time, at]| [time, at - start]).collect();
-        // Continuous acceleration: h₊ v₋ + 2 (h₋ + h₊) v + h₋ v₊ = 3 (h₊ s₋ + h₋ s₊), with the
-        // slopes s.
+        // Continuous acceleration: h₊ v₋ + 2 (h₋ + h₊) v + h₋ v₊ = 3 (h₊ s₋ + h₋ s₊), slopes s.
         let (mut velocities, mut above) = (vec![0.0; points.len()], vec![0.0; points.len()]);
         for k in 1..points.len() - 1 {
             let [before, here, after] = [points[k - 1], points[k], points[k + 1]];

@@ -75,11 +75,8 @@ impl Scene {
 
     /// Whether its paddle makes one wave after another.
     fn has_train(&self) -> bool {
-        self.seawall().is_some_and(|scene| {
-            let recorded = scene.recorded.as_ref();
-            scene.wave_train.is_some()
-                || recorded.is_some_and(|keys| keys.recorded_stroke.goes_on())
-        })
+        self.seawall()
+            .is_some_and(|scene| scene.wave_train.is_some() || scene.plays_one_wave_after_another())
     }
 
     /// Whether its waves meet a wall again and again: a train, a stroke that

@@ -3,6 +3,7 @@
 mod early;
 mod probes;
 mod released;
+mod stroke;
 
 use early::early;
 use released::released;
@@ -33,9 +34,6 @@ const SHARE_OF_STEP: f64 = 0.1;
 /// A reflected wave may add this share to a crest that is measured.
 const MOST_ADDED: f64 = 0.05;
 
-/// A recorded stroke's spline goes beyond its points by more than this share of its reach.
-const OVERSHOOT: f64 = 0.05;
-
 /// Values of a case that look like mistakes: key, value, and the usual value.
 pub fn odd_values(config: &CaseConfig) -> Vec<ConfigError> {
     let all = [density(config), interval(config), end(config), released(&config.scene)];
@@ -43,10 +41,10 @@ pub fn odd_values(config: &CaseConfig) -> Vec<ConfigError> {
     if let Some(scene) = config.scene.seawall() {
         let near =
             gauge(scene, &config.numerics).or_else(|| aground(scene)).or_else(|| meets(scene));
-        let stroke = overshoot(scene).or_else(|| hole(scene));
         let all = [tank(scene), threshold(scene), steep(scene), early(scene), loose(scene), near];
         let probes = probes::odd(scene, &config.probes);
-        odd.extend(all.into_iter().chain(probes).chain([stroke]).flatten());
+        odd.extend(all.into_iter().chain(probes).flatten());
+        odd.extend(scene.recorded.iter().flat_map(|keys| stroke::odd(&keys.recorded_stroke)));
     }
     odd
 }
@@ -169,30 +167,6 @@ fn aground(scene: &SeawallScene) -> Option<ConfigError> {
     (height >= scene.still_water_depth_m)
         .then(|| warning("wave_gauge_m", scene.wave_gauge_m, told()))
         .flatten()
-}
-
-/// A spline through few points may go far beyond them.
-fn overshoot(scene: &SeawallScene) -> Option<ConfigError> {
-    let stroke = &scene.recorded.as_ref()?.recorded_stroke;
-    let (beyond, reach) = (stroke.overshoot(), stroke.reach());
-    let told = || {
-        format!(
-            "between its points the paddle goes {beyond:.4} m farther than they do, as a spline: give more of them"
-        )
-    };
-    (beyond > OVERSHOOT * reach).then(|| ConfigError::new("scene.recorded_stroke", "", told()))
-}
-
-/// A spline goes smoothly over a gap in a record.
-fn hole(scene: &SeawallScene) -> Option<ConfigError> {
-    let ([before, after], usual) = scene.recorded.as_ref()?.recorded_stroke.hole()?;
-    let told = format!(
-        "has no points from {} s to {} s, where it goes by {:.4} m; elsewhere they are {usual:.4} s apart",
-        before[0],
-        after[0],
-        (after[1] - before[1]).abs()
-    );
-    Some(ConfigError::new("scene.recorded_stroke", "", told))
 }
 
 fn interval(config: &CaseConfig) -> Option<ConfigError> {

@@ -128,6 +128,11 @@ impl SeawallScene {
         (ratio > 0.0).then_some(paddle)
     }
 
+    /// Whether a recorded stroke makes one wave after another.
+    pub fn plays_one_wave_after_another(&self) -> bool {
+        self.recorded.as_ref().is_some_and(|keys| keys.recorded_stroke.goes_on())
+    }
+
     pub(super) fn regular_waves(&self) -> Option<WaveTrain> {
         let (ratio, depth) = (self.wave_height_ratio, self.still_water_depth_m);
         let WaveTrainKeys { wave_period_s, second_stroke } = *self.wave_train.as_ref()?;

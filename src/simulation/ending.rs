@@ -116,7 +116,19 @@ impl Run {
         let walls = self.tank.water.walls();
         let heights = &walls.target_y[walls.up(Place::Right.number())];
         let measures = &self.logbook.measures;
-        measures.pressed.envelope(heights, &measures.first)
+        let mut rows = measures.pressed.envelope(heights, &measures.first);
+        if !self.has_first_impact() {
+            rows.iter_mut().for_each(|row| row.first_pressure_max_pa = None);
+        }
+        rows
+    }
+
+    /// Whether the impact of one wave is told by itself. Scenes without a wave have none. Of a stroke
+    /// that plays one wave after another the first is mostly the smallest.
+    fn has_first_impact(&self) -> bool {
+        let scene = self.config.scene.seawall();
+        self.tank.wave_gauge.is_some()
+            && !scene.is_some_and(SeawallScene::plays_one_wave_after_another)
     }
 
     /// The scalars of the summary, with their doubts.
@@ -127,19 +139,18 @@ impl Run {
         // A paddle that has never moved has done no work.
         let moves = tank.paddle.is_some() && worked > 0.0;
         let scale = if moves { worked } else { logbook.ledger.start.given() };
-        // Other scenes have no first impact of a wave.
-        let has_wave = tank.wave_gauge.is_some();
+        let (has_wave, hits_first) = (tank.wave_gauge.is_some(), self.has_first_impact());
         let wall = tank.wall.state();
         let outcome = Outcome {
             measured_wave_height_ratio: logbook.gauge.crest(),
             force_max: m.force.unwrap_or_default(),
             runup_max: m.runup.unwrap_or_default(),
             displacement_max: m.displacement.filter(|_| wall.is_some()),
-            first_force_max: m.first.force().filter(|_| has_wave),
-            first_runup_max: m.first.runup().filter(|_| has_wave),
-            first_displacement_max: m.first.displacement().filter(|_| wall.is_some()),
-            first_force_peak: m.first.force_peak().filter(|_| has_wave),
-            first_runup_peak: m.first.runup_peak().filter(|_| has_wave),
+            first_force_max: m.first.force().filter(|_| hits_first),
+            first_runup_max: m.first.runup().filter(|_| hits_first),
+            first_displacement_max: m.first.displacement().filter(|_| wall.is_some() && hits_first),
+            first_force_peak: m.first.force_peak().filter(|_| hits_first),
+            first_runup_peak: m.first.runup_peak().filter(|_| hits_first),
             force_max_raw: m.force_raw.unwrap_or(0.0),
             force_at_rest: logbook.force_at_rest.unwrap_or(0.0) / tank.static_force,
             force_end: m.last[0],
@@ -155,12 +166,12 @@ impl Run {
             stop_impulse: wall.map(|_| m.blows.strongest().unwrap_or_default()),
             doubtful_reason: None,
             moment_max: m.pressed.moment.filter(|_| tank.frame.gravity > 0.0),
-            first_moment_max: m.pressed.first_moment(&m.first).filter(|_| has_wave),
-            first_impulse: m.first.impulse().filter(|_| has_wave).map(|seconds| {
+            first_moment_max: m.pressed.first_moment(&m.first).filter(|_| hits_first),
+            first_impulse: m.first.impulse().filter(|_| hits_first).map(|seconds| {
                 let frame = &tank.frame;
                 seconds / frame.unit_time()
             }),
-            rise_time_s: m.first.rise_time().filter(|_| has_wave),
+            rise_time_s: m.first.rise_time().filter(|_| hits_first),
             force_gap_percent: logbook.worst_gap,
             force_max_gap_percent: m.force.map_or(0.0, |m| logbook.face_gaps.around(m.time_s)),
             energy_gap_percent: 100.0 * energy.residual() / scale,

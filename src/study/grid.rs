@@ -30,6 +30,12 @@ pub(super) fn expand(file: &SweepFile) -> Result<Vec<Case>, ConfigError> {
     };
     let shared = |axis: &GridAxis| axis.values.iter().cloned().map(Shared::from).collect();
     let values: Vec<Vec<_>> = file.grid.iter().map(shared).collect();
+    if plays_several_heights(file) {
+        point(file, &places, &values, 0)?;
+        let allowed =
+            "changes no wave: a recorded stroke makes its own. Sweep recorded_stroke instead";
+        return Err(ConfigError::new("grid.wave_height_ratio", "", allowed));
+    }
     let mut cases: Vec<Case> = Vec::with_capacity(count);
     let mut seen = CaseMap::with_capacity_and_hasher(count, Default::default());
     let mut numerics = Recent::default();
@@ -64,6 +70,13 @@ pub(super) fn expand(file: &SweepFile) -> Result<Vec<Case>, ConfigError> {
         points = next;
     }
     Ok(cases)
+}
+
+/// Whether the height of a wave is swept that a recorded stroke makes.
+fn plays_several_heights(file: &SweepFile) -> bool {
+    let heights = |axis: &GridAxis| axis.key == "wave_height_ratio" && axis.values.len() > 1;
+    file.scene.get("paddle").and_then(Value::as_str) == Some("recorded-stroke")
+        && file.grid.iter().any(heights)
 }
 
 /// The section of each swept key. The key itself does not name it.

@@ -10,6 +10,11 @@ const UNSEEN: f64 = 0.02;
 /// The paddle has set off once it has gone this share of its reach.
 const SETS_OFF: f64 = 0.1;
 
+/// Speeds are means over so many points, ...
+const SEVERAL: usize = 4;
+/// ... where there are so many.
+const FEWEST: usize = 20;
+
 /// A swing back or forth counts from this share of the way between the stroke's outermost points.
 const SWING: f64 = 0.1;
 
@@ -45,6 +50,20 @@ pub(super) fn turns(points: &[[f64; 2]]) -> usize {
 pub(super) fn sets_off(points: &[[f64; 2]], reach: f64) -> Option<f64> {
     let away = |point: &&[f64; 2]| (point[1] - points[0][1]).abs() > SETS_OFF * reach;
     points.iter().find(away).map(|point| point[0])
+}
+
+/// Mean speeds over the first so many points, over the last ones, and the largest over as many, m/s. A
+/// mean, because records are noisy. Fewer points are no record: all are 0.
+pub(super) fn speeds(points: &[[f64; 2]]) -> [f64; 3] {
+    if points.len() < FEWEST {
+        return [0.0; 3];
+    }
+    let over = |points: &[[f64; 2]]| {
+        let [[from, at], [to, there]] = [points[0], points[points.len() - 1]];
+        ((there - at) / (to - from)).abs()
+    };
+    let all: Vec<f64> = points.windows(SEVERAL).map(over).collect();
+    [all[0], all[all.len() - 1], all.iter().copied().fold(0.0, f64::max)]
 }
 
 /// The two points beside the widest gap across which the stroke moves, and the median distance in

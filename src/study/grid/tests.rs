@@ -92,3 +92,13 @@ fn a_range_of_a_whole_key_has_whole_numbers() {
     let depths = "[scene]\ntank_length_m = 9\n[grid]\nstill_water_depth_m = { from = 1, to = 2, points = 2 }";
     assert_eq!(first_values(depths).unwrap(), [1.0, 2.0].map(Value::Float));
 }
+
+/// The story: three runs of one recorded stroke were told as waves of 0.1, 0.2 and 0.4 h.
+#[test]
+fn the_height_of_a_recorded_wave_cannot_be_swept() {
+    let scene = "[scene]\npaddle = \"recorded-stroke\"\nend_time_s = 3\n\
+                 recorded_stroke = \"sweeps/scenes/recorded_stroke.csv\"\n";
+    let told = cases(&format!("{scene}[grid]\nwave_height_ratio = [0.1, 0.2]")).unwrap_err();
+    assert!(told.to_string().starts_with("grid.wave_height_ratio: changes no wave"), "{told}");
+    assert_eq!(cases(&format!("{scene}[grid]\nwave_gauge_m = [1.0, 1.5]")).unwrap().len(), 2);
+}
