@@ -52,6 +52,19 @@ impl StateEquation {
         }
     }
 
+    /// ρ_s ∫ c²/(c0² ρ) dρ from ρ_s, kg/m³. In still water this and ρ_s g y/c0² add up to a constant.
+    #[inline(always)]
+    pub fn raised(&self, density: f64) -> f64 {
+        let ratio = density / self.surface_density;
+        match self.choice {
+            StateEquationChoice::Linear => self.surface_density * small_log(ratio - 1.0),
+            StateEquationChoice::Tait => {
+                let cube = ratio * ratio * ratio;
+                self.surface_density * (cube * cube - 1.0) / 6.0
+            }
+        }
+    }
+
     /// ∫ p/ρ² dρ from ρ_s: elastic energy per unit of mass, J/kg.
     pub fn elastic_energy(&self, density: f64) -> f64 {
         let c2 = self.sound_speed * self.sound_speed;
@@ -67,9 +80,32 @@ impl StateEquation {
     }
 }
 
+/// ln(1 + u) for |u| far below one, up to u⁵.
+#[inline(always)]
+fn small_log(u: f64) -> f64 {
+    u * (1.0 - u * (0.5 - u * (1.0 / 3.0 - u * (0.25 - 0.2 * u))))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// dp/dy = -ρ g in still water, so c² dρ/ρ = -g dy with c² = dp/dρ.
+    #[test]
+    fn what_diffusion_leaves_alone_is_still_water() {
+        for choice in [StateEquationChoice::Linear, StateEquationChoice::Tait] {
+            let state = StateEquation { choice, surface_density: 996.0, sound_speed: 14.0 };
+            for density in [990.0, 1003.0, 1020.0] {
+                let step = 1e-3;
+                let slope = |of: &dyn Fn(f64) -> f64| {
+                    (of(density + step) - of(density - step)) / (2.0 * step)
+                };
+                let told = slope(&|at| state.raised(at));
+                let aim = 996.0 / (14.0 * 14.0) / density * slope(&|at| state.pressure(at));
+                assert!((told / aim - 1.0).abs() < 1e-6, "{choice:?} at {density}: {told}, {aim}");
+            }
+        }
+    }
 
     #[test]
     fn density_inverts_pressure_and_energy_integrates_it() {

@@ -5,9 +5,10 @@ use serde::{Deserialize, Serialize};
 use super::Precision;
 use super::correction::first_row_share;
 use crate::kernel::KernelChoice;
+use crate::pairs::Double;
 use crate::scheme::StateEquation;
 use crate::theory::central_field::CentralField;
-use crate::water::{SHIFT_DEEP, SHIFT_INTERIOR};
+use crate::water::{SHIFT_DEEP, SHIFT_INTERIOR, StateEquationChoice};
 
 /// Density diffusion (the δ term).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -126,7 +127,18 @@ impl WcsphOptions {
         first_row_share(2.0 * self.smoothing_length() / self.spacing)
     }
 
-    /// Minus the hydrostatic ∂ρ/∂y on which density diffusion does not act, kg/m⁴.
+    /// dρ over that of the field that density diffusion smooths, where it is not near 1: with Tait's
+    /// equation water under pressure is stiffer, (ρ_s/ρ)⁵.
+    #[inline(always)]
+    pub(super) fn softer<D: Double>(&self, density: D) -> Option<D> {
+        let hydrostatic = self.density_diffusion == DensityDiffusion::Hydrostatic;
+        (hydrostatic && self.state.choice == StateEquationChoice::Tait).then(|| {
+            let ratio = D::splat(self.state.surface_density).div(density);
+            ratio * ratio * ratio * ratio * ratio
+        })
+    }
+
+    /// Minus ∂ρ/∂y of still water at the surface, on which density diffusion does not act, kg/m⁴.
     pub(super) fn hydrostatic_slope(&self) -> f64 {
         match self.density_diffusion {
             DensityDiffusion::Hydrostatic => {

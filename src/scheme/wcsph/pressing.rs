@@ -44,17 +44,10 @@ impl<'a> Pressing<'a> {
             pressures[k] = if pressure < 0.0 { pressure * tension[k] } else { pressure };
         }
         if hydrostatic > 0.0 {
-            let surface = state.surface_density;
             for k in 0..density.len() {
-                diffused[k] = surface * small_log(density[k] / surface - 1.0) + hydrostatic * y[k];
+                diffused[k] = state.raised(density[k]) + hydrostatic * y[k];
             }
         }
         [D::load(&pressures), D::load(&diffused)]
     }
-}
-
-/// ln(1 + u) for |u| far below one, up to u⁵. Still water is exactly uniform in ln ρ + g y/c0².
-#[inline(always)]
-fn small_log(u: f64) -> f64 {
-    u * (1.0 - u * (0.5 - u * (1.0 / 3.0 - u * (0.25 - 0.2 * u))))
 }

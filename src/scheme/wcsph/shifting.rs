@@ -97,6 +97,7 @@ impl Summed<Rows<'_>> for Shift<'_> {
         let [gradient_x, gradient_y] = here.all::<D, 2>([&work.gradient_x, &work.gradient_y]);
         let rise = (dx * gradient_x + dy * gradient_y) * D::splat(self.inverse_radius)
             - D::splat(options.hydrostatic_slope()) * dy;
+        let rise = options.softer(density).map_or(rise, |softer| softer * rise);
         let elastic = here.of::<D>(&work.pressure).div(density * density) * rise;
         here.put(to_x, x + dx);
         here.put(to_y, y + dy);
