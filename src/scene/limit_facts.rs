@@ -209,8 +209,7 @@ impl Facts<'_> {
         trench.is_some_and(|breadth| breadth < 0.99 * self.numerics.particle_spacing_m)
     }
 
-    /// Whether a steep face ends just under the still water; or rises out of it and ends less than
-    /// a support radius above it.
+    /// Whether a steep face ends just under the still water, or within a support radius above it.
     pub fn ends_low(&self) -> bool {
         let (depth, spacing) = (self.scene().frame().depth, self.numerics.particle_spacing_m);
         let reach = [spacing, self.numerics.support_radius_ratio * spacing];
@@ -222,6 +221,14 @@ impl Facts<'_> {
     pub fn rows_at_wall(&self) -> Option<f64> {
         let depth = self.scene().frame().depth - self.scene().bed()?.end()[1];
         (depth > 0.0).then(|| depth / self.numerics.particle_spacing_m)
+    }
+
+    /// Whether its bed falls by two rows or more within five spacings of the wall.
+    pub fn falls_before_wall(&self) -> bool {
+        let (spacing, bed) = (self.numerics.particle_spacing_m, self.scene().bed());
+        bed.map(|bed| (bed, bed.end())).is_some_and(|(bed, [wall, foot])| {
+            bed.highest_between(wall - 5.0 * spacing, wall) - foot > 1.9 * spacing
+        })
     }
 
     /// Whether a wave is too high for the still water at its wall.

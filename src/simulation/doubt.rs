@@ -27,6 +27,9 @@ const RIPPLE: f64 = 0.01;
 /// Still water presses wall and paddle alike. With sound ghosts they differ by less than this many
 /// times (Δx/h)².
 const LOPSIDED_OF_SPACING: f64 = 0.1;
+/// Over a bed paddle and wall cannot be compared. There still water presses by less than this share
+/// more or less than ½ρgd², where it rests on three rows or more.
+const OFF_OVER_BED: f64 = 0.05;
 
 /// The data by which a finished case is judged, besides its outcome.
 pub(super) struct Evidence<'a> {
@@ -53,6 +56,8 @@ pub(super) struct Evidence<'a> {
     pub is_wave: bool,
     /// Force on the wall at rest less that on the paddle, over ρgh²/2, if both should be equal.
     pub lopsided: Option<f64>,
+    /// Whether still water presses an upright wall over a bed, and by its weight alone.
+    pub over_bed: bool,
     /// g h/c0², percent; zero where the water is incompressible.
     pub compression_percent: f64,
     /// A later maximum counts as one at the end, seconds.
@@ -68,7 +73,7 @@ impl Evidence<'_> {
         reasons.extend(self.voids());
         reasons.extend(self.energy(outcome));
         reasons.extend(self.compression(outcome));
-        reasons.extend(self.at_rest());
+        reasons.extend(self.at_rest().or_else(|| self.at_rest_over_bed(outcome)));
         reasons.extend(self.stops(outcome));
         reasons.extend(self.cut_off(outcome));
         (!reasons.is_empty()).then(|| reasons.join("; "))
@@ -127,6 +132,18 @@ impl Evidence<'_> {
             let percent = 100.0 * apart;
             format!(
                 "force at rest: still water pressed the wall {percent:+.2} % more than the paddle"
+            )
+        })
+    }
+
+    /// F\* counts from the force at rest. If that is wrong, so is all that follows.
+    fn at_rest_over_bed(&self, outcome: &Outcome) -> Option<String> {
+        let off = outcome.force_at_rest - 1.0;
+        let pressed = self.over_bed && outcome.force_at_rest != 0.0;
+        (pressed && off.abs() > OFF_OVER_BED).then(|| {
+            format!(
+                "force at rest: still water pressed the wall {:+.0} % more than it should",
+                100.0 * off
             )
         })
     }

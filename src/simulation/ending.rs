@@ -206,6 +206,7 @@ impl Run {
             // Means end half their span earlier.
             end: self.clock.time - MEAN_SPAN * tank.frame.unit_time() - self.time_step,
             lopsided: logbook.lopsided.filter(|_| compressible && has_wave && tank.upright()),
+            over_bed: has_wave && tank.upright() && water.walls().profile.is_some(),
             compression_percent: if compressible {
                 100.0 * depth_speed / tank.sound_speed.powi(2)
             } else {

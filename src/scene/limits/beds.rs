@@ -30,6 +30,11 @@ pub(super) const BEDS: &[Limit] = &[
          and still water pressed 1.4 to 2.4 % too hard",
     ),
     (
+        |case| case.falls_before_wall(),
+        "a bed that falls by two rows of particles or more within five spacings of the wall: still water pressed 8 to 35 % \
+         too little at ten to sixteen rows, face and force were 3 to 34 % apart, and a runup was read 48 % low",
+    ),
+    (
         |case| case.breaks_at_wall(),
         "a wave higher than 0.75 of the still water at its wall: it breaks there; at 0.8 forces were 9 % lower at five rows \
          over that depth than at ten, and 4 % at seven; at 1.2 they were up to 10 % apart at five to ten rows, and up to 55 % \

@@ -195,3 +195,21 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
     let coupled = ["4.1e3", "3.9e3"].map(|k| spring(&format!("{k}\nforce_coupling = 0.4"), 0.2));
     assert_eq!(coupled, [1, 0], "a wall that feels less of the force moves as little");
 }
+
+/// The story: water before a wall stood in a hole of two rows, particles paired, and seven tenths over seven hundredths
+/// were called fewer than ten. `check` was silent of the first two.
+#[test]
+fn holes_before_walls_and_kernels_that_pair_are_told() {
+    let told = |scene: &str, numerics: &str, words: &str| {
+        limits(&CaseConfig::of(scene, numerics)).iter().any(|limit| limit.contains(words))
+    };
+    let bed = |foot: f64| format!("bed = [[0, 0], [1, 0], [2.2, 0.1], [2.48, 0.1], [2.5, {foot}]]");
+    let falls = "falls by two rows";
+    assert!(told(&bed(0.0), "", falls) && !told(&bed(0.09), "", falls) && !told("", "", falls));
+    let spline =
+        |support: f64| format!("kernel = \"cubic-spline\"\nsupport_radius_ratio = {support:?}");
+    assert!(told("", &spline(4.0), "pair up") && !told("", &spline(2.6), "pair up"));
+    assert!(told("", "kernel = \"wendland-c4\"", "wendland-c4"));
+    let ten = "still_water_depth_m = 0.7\ntank_length_m = 8.75";
+    assert!(!told(ten, "particle_spacing_m = 0.07", "fewer than 10"));
+}

@@ -52,6 +52,7 @@ fn doubt(
         spacing_on_way: 0.06,
         is_wave: true,
         lopsided: Some(1e-4),
+        over_bed: false,
         compression_percent: 1.6,
         end: 3.9,
     };
@@ -141,6 +142,19 @@ fn still_water_presses_both_walls_alike() {
     let with = |lopsided| doubt(&outcome(), [0.0, 0.0], 0.0, |e| e.lopsided = Some(lopsided));
     assert_eq!(with(-3e-4), None);
     assert!(with(-5e-4).unwrap().starts_with("force at rest: still water pressed the wall -0.05"));
+}
+
+/// The story: over a bed still water pressed a wall by 0.19 of what it should, F* counted from there, and the
+/// wall went off. Nothing was doubtful.
+#[test]
+fn still_water_over_a_bed_presses_as_it_should() {
+    let with = |over_bed: bool, force_at_rest: f64| {
+        let outcome = Outcome { force_at_rest, ..outcome() };
+        doubt(&outcome, [0.0, 0.0], 0.0, |e| (e.over_bed, e.lopsided) = (over_bed, None))
+    };
+    assert_eq!([with(false, 0.19), with(true, 0.97), with(true, 0.0)], [None, None, None]);
+    let told = "force at rest: still water pressed the wall -81 % more than it should";
+    assert_eq!(with(true, 0.19).unwrap(), told);
 }
 
 #[test]
