@@ -11,6 +11,7 @@ pub mod accuracy;
 pub mod body;
 pub mod boundary;
 pub mod cli;
+mod disk;
 pub mod execute;
 pub mod film;
 pub mod kernel;

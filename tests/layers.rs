@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 /// The layers from the ground up; modules of one layer may use each other.
 const LAYERS: &[&[&str]] = &[
-    &["math", "theory", "keys"],
+    &["math", "theory", "keys", "disk"],
     &["kernel"],
     &["pairs"],
     &["boundary", "body"],

@@ -8,6 +8,7 @@ use super::output::{Output, json_path, short};
 use super::table::Table;
 use super::{CASES_FAILED, SUCCESS};
 use crate::accuracy::{Errors, MethodScore, Scored, cheapest_within, methods, score};
+use crate::disk;
 use crate::keys::named;
 use crate::math::comma::csv;
 use crate::report::accuracy::{HEADER, write};
@@ -40,8 +41,8 @@ pub(super) fn main(args: &AccuracyArgs, output: &Output) -> anyhow::Result<u8> {
         [Errors::All, Errors::Loads].map(|group| methods(&ran.matrix, &scored, group));
     let about: Vec<_> =
         ran.matrix.cases.iter().map(|case| (case.name.clone(), case.about.clone())).collect();
-    std::fs::write(
-        ran.out.join("accuracy.csv"),
+    disk::put(
+        &ran.out.join("accuracy.csv"),
         table_of(&scored, &[(Errors::All, &scores), (Errors::Loads, &loads)]),
     )?;
     let page = write(&ran.out, &about)?;

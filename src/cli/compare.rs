@@ -1,5 +1,6 @@
 //! `seawall compare`: two studies side by side, or a case beside measurements, from files alone.
 
+mod files;
 mod json;
 mod measured;
 mod points;
@@ -8,6 +9,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use self::files::save;
 use self::points::{in_all, place, shared};
 use super::SUCCESS;
 use super::failure::BadInput;
@@ -18,9 +20,7 @@ use crate::keys::named;
 use crate::math::decimal::significant;
 use crate::math::words::counted;
 use crate::quantities::Unit;
-use crate::report::Figure;
 use crate::report::compare::{COMPARED, Comparison, Difference, Pair, compare, figure, table};
-use crate::results::SweepError;
 
 /// Put two studies side by side, or a case and what was measured. Of two studies, cases of the same
 /// wave and wall are compared, whatever their numerics.
@@ -101,20 +101,6 @@ fn nothing_in_common(directories: [&Path; 2], comparison: &Comparison) -> BadInp
             "{a} and {b} have no case in common: the first of the one is {first}, of the other {second}"
         ),
     })
-}
-
-/// Writes `compare.csv`, and `compare.svg` if there is a figure.
-fn save(out: &Path, table: &str, figure: Option<&Figure>) -> anyhow::Result<Vec<PathBuf>> {
-    let bad = |error: std::io::Error| SweepError::unusable(out, &error);
-    std::fs::create_dir_all(out).map_err(bad)?;
-    let mut files = vec![out.join("compare.csv")];
-    std::fs::write(&files[0], table).map_err(bad)?;
-    if let Some(figure) = figure {
-        let path = out.join("compare.svg");
-        std::fs::write(&path, figure.svg()).map_err(bad)?;
-        files.push(path);
-    }
-    Ok(files)
 }
 
 fn text(directories: [&Path; 2], comparison: &Comparison, all: bool) -> String {

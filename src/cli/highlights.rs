@@ -1,8 +1,8 @@
 //! The cases of a study that are most worth a look, and why.
 
-use std::fs;
 use std::path::Path;
 
+use crate::disk;
 use crate::math::comma::csv;
 use crate::results::CaseRecord;
 use crate::simulation::Outcome;
@@ -83,7 +83,7 @@ pub(super) fn tell<'a>(
     if rows.len() == 1 {
         return Ok(());
     }
-    fs::write(directory.join(REASONS), csv(rows))
+    disk::put(&directory.join(REASONS), csv(rows))
 }
 
 #[cfg(test)]

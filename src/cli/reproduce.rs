@@ -18,6 +18,7 @@ use super::options::EVERY_S;
 use super::options::{FigureFormat, for_print};
 use super::output::{Output, duration, json_paths};
 use super::{INTERRUPTED, SUCCESS, cost, options};
+use crate::disk;
 use crate::keys::named;
 use crate::math::words::counted;
 use crate::papers::{Recipe, Run, paper, recipes};
@@ -171,7 +172,7 @@ fn write(out: &Path, made: &Reproduced) -> Result<Vec<PathBuf>, BadInput> {
             continue;
         }
         let path = out.join(format!("{}.{ending}", figure.name));
-        std::fs::write(&path, text).map_err(|error| BadInput::of(&path, error))?;
+        disk::put(&path, text).map_err(|error| BadInput::of(&path, error))?;
         files.push(path);
     }
     Ok(files)

@@ -8,6 +8,7 @@ use super::output::{Output, json_path};
 use super::table::Table;
 use super::{CASES_FAILED, SUCCESS};
 use crate::accuracy::{Judged, Matrix, Verdict, judge};
+use crate::disk;
 use crate::keys::named;
 use crate::math::comma::csv;
 use crate::math::lists::different;
@@ -38,8 +39,8 @@ pub(super) fn main(args: &StressArgs, output: &Output) -> anyhow::Result<u8> {
     }
     let judged = judge(&ran.matrix, &ran.pairs, &ran.records);
     let page = ran.out.join("stress.md");
-    std::fs::write(ran.out.join("stress.csv"), table_of(&judged))?;
-    std::fs::write(&page, markdown(&ran.matrix, &judged))?;
+    disk::put(&ran.out.join("stress.csv"), table_of(&judged))?;
+    disk::put(&page, markdown(&ran.matrix, &judged))?;
     let survived = |row: &&Judged| matches!(row.verdict, Verdict::Passed | Verdict::NotThere);
     let all_well = judged.iter().all(|row| survived(&row));
     let mut table = Table::new(["case", "method", "verdict", "edge", "closest bound, or reason"]);

@@ -1,8 +1,8 @@
 //! The page that plays a film: particles, curves, style and script in one file.
 
 use std::fs;
-use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::io;
+use std::path::PathBuf;
 
 use super::reel::Reel;
 use super::scale::{self, Colour};
@@ -10,7 +10,7 @@ use super::stage::Stage;
 use super::take::{Take, nearest};
 use super::title::{about, moment, title};
 use super::{at, is_read, still};
-use crate::keys::write_whole;
+use crate::disk;
 use crate::math::decimal::significant;
 use crate::scene::CaseConfig;
 use crate::simulation::{CaseResult, cost};
@@ -65,7 +65,7 @@ impl PageFilm {
     }
 
     /// Writes the page, the still of one frame, and those of the highest runup and of the largest
-    /// displacement.
+    /// displacement. A sweep relies on it that an existing file is complete.
     pub(super) fn write(
         &self,
         config: &CaseConfig,
@@ -101,7 +101,7 @@ impl PageFilm {
         for (picture, take, inside) in moments {
             let Some(take) = take else { continue };
             let still = draw(take);
-            save(&picture, &still)?;
+            disk::put(&picture, &still).map_err(at(&picture))?;
             stills += if inside { &still } else { "" };
         }
         let reel = Reel { takes, crest, highest, stage: &stage, end };
@@ -127,13 +127,8 @@ impl PageFilm {
         ];
         let text = include_str!("page.html").to_owned();
         let text = fields.iter().fold(text, |text, (field, value)| text.replacen(field, value, 9));
-        save(&page, &text)
+        disk::put(&page, text).map_err(at(&page))
     }
-}
-
-/// An existing file must be complete: a sweep relies on it.
-fn save(path: &Path, text: &str) -> io::Result<()> {
-    write_whole(path, at(path), |mut file| file.write_all(text.as_bytes()).map_err(at(path)))
 }
 
 /// The first frame of the largest displacement, if the wall moved far enough to be seen.

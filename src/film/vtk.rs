@@ -8,6 +8,7 @@ use std::{fs, io};
 use super::vtu::{Cells, Grid, Values};
 use super::{Camera, at};
 use crate::body::Place;
+use crate::disk;
 use crate::scene::CaseConfig;
 use crate::simulation::{CaseResult, Face, Film};
 use crate::study::CaseId;
@@ -70,7 +71,7 @@ impl VtkCamera {
         let mut names = Vec::new();
         for (name, grid) in std::iter::once(("water", water(film))).chain(faces) {
             let file = self.folder.join(path(&self.id, name, number));
-            fs::write(&file, grid.text(film.time_s)).map_err(at(&file))?;
+            disk::put(&file, grid.text(film.time_s)).map_err(at(&file))?;
             names.push(name);
         }
         Ok(names)
@@ -129,7 +130,7 @@ impl VtkCamera {
         }
         text.push_str("</Collection>\n</VTKFile>\n");
         let list = self.folder.join(format!("{}.pvd", self.id));
-        fs::write(&list, text).map_err(at(&list))
+        disk::put(&list, text).map_err(at(&list))
     }
 }
 

@@ -41,7 +41,6 @@ mod section;
 mod shape;
 mod shared;
 mod shown;
-mod whole_file;
 mod written;
 
 pub use alike::alike;
@@ -57,4 +56,3 @@ pub use section::{Section, given, stored, value, value_of};
 pub use shape::Shape;
 pub use shared::{Recent, Shared};
 pub use shown::{named, shown};
-pub use whole_file::{PARTIAL, partial, write_whole};

@@ -38,7 +38,6 @@ pub mod tables;
 mod variant;
 
 use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 pub use error::ReportError;
@@ -51,7 +50,7 @@ pub use row::Row;
 pub use scene_values::scene_values;
 pub use spoken::spoken;
 
-use crate::keys::write_whole;
+use crate::disk;
 use load::Loaded;
 use tables::Lines;
 
@@ -200,8 +199,7 @@ fn make(directory: &Path) -> Result<(), ReportError> {
 }
 
 fn save(path: &Path, content: &(impl AsRef<[u8]> + ?Sized)) -> Result<(), ReportError> {
-    let wrong = |error| ReportError::Write { path: path.to_owned(), error };
-    write_whole(path, wrong, |mut file| file.write_all(content.as_ref()).map_err(wrong))
+    disk::put(path, content).map_err(|error| ReportError::Write { path: path.to_owned(), error })
 }
 
 #[cfg(test)]

@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 
 use flate2::{Compression, GzBuilder};
 
-use super::disk::Writer;
 use super::error::SweepError;
 use super::{atomic_file, files};
+use crate::disk::Writer;
 use crate::quantities::summary::CASE_ID;
 
 const FILE_NAME: &str = "histories.csv.gz";

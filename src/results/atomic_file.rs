@@ -1,14 +1,13 @@
-//! Files that readers find complete or not at all. They are written without a name or under a
-//! temporary one, then named.
+//! A study's files, which readers find complete or not at all. They are written without a name or
+//! under a temporary one, then named.
 
 use std::fs::{self, DirEntry, File};
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
-use super::disk;
 use super::error::SweepError;
-use crate::keys::{PARTIAL, partial};
+use crate::disk::{self, PARTIAL, write_whole};
 
 /// Writes a file so that no reader, and no crash, ever sees a part of it.
 pub(super) fn write(path: &Path, content: &[u8]) -> Result<(), SweepError> {
@@ -20,7 +19,7 @@ pub(super) fn write_with(
     path: &Path,
     fill: impl FnOnce(&File) -> Result<(), SweepError>,
 ) -> Result<(), SweepError> {
-    put(path, |file| {
+    write_whole(path, SweepError::io(path), |file| {
         fill(file)?;
         disk::sync(file).map_err(SweepError::io(path))
     })
@@ -32,18 +31,7 @@ pub(super) fn write_unsynced(path: &Path, content: &[u8]) -> Result<(), SweepErr
     if disk::write_new(path, content) {
         return Ok(());
     }
-    put(path, |file| disk::write(file, content).map_err(SweepError::io(path)))
-}
-
-/// A failure leaves nothing behind.
-fn put(path: &Path, fill: impl FnOnce(&File) -> Result<(), SweepError>) -> Result<(), SweepError> {
-    let temporary = partial(path);
-    let file = disk::create(&temporary).map_err(SweepError::io(path))?;
-    let renamed = || disk::rename(&temporary, path).map_err(SweepError::io(path));
-    fill(&file).and_then(|()| renamed()).inspect_err(|_| {
-        // If this fails too, the file is removed on the next start.
-        let _ = disk::remove_file(&temporary);
-    })
+    disk::put(path, content).map_err(SweepError::io(path))
 }
 
 /// Removes half-written files from folders that exist. The folders are listed in parallel: those of

@@ -8,8 +8,9 @@ use std::collections::BTreeSet;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
+use super::atomic_file;
 use super::error::SweepError;
-use super::{atomic_file, disk};
+use crate::disk;
 use crate::study::CaseId;
 
 const FILE_NAME: &str = "running";

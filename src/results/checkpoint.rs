@@ -10,11 +10,12 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
+use super::atomic_file;
 use super::checksum::{checksum_of, split};
 use super::error::SweepError;
 use super::journal;
 use super::program::Program;
-use super::{atomic_file, disk};
+use crate::disk;
 use crate::math::simd::SimdPath;
 use crate::study::CaseId;
 

@@ -4,9 +4,10 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use super::atomic_file;
 use super::checkpoint::{CASE, Checkpoint, FOLDER, TRUNK, whole};
 use super::error::SweepError;
-use super::{atomic_file, disk};
+use crate::disk;
 use crate::keys::named;
 use crate::math::simd::SimdPath;
 use crate::study::CaseId;

@@ -19,7 +19,8 @@ use serde::{Deserialize, Serialize};
 use super::error::SweepError;
 use super::making::Making;
 use super::seal::Seal;
-use super::{atomic_file, disk, sealed};
+use super::{atomic_file, sealed};
+use crate::disk;
 
 const FILE_NAME: &str = "derived.json";
 const FILES: [&str; 3] = ["histories.csv.gz", "max_error.csv", "report.html"];

@@ -3,10 +3,10 @@
 use std::io::{BufWriter, Write};
 use std::path::Path;
 
-use super::disk::Writer;
 use super::error::SweepError;
 use super::record::CaseRecord;
 use super::{atomic_file, number, rows};
+use crate::disk::Writer;
 use crate::quantities::{energy, summary};
 use crate::simulation::{EnergyBudget, Outcome};
 use crate::study::CaseId;

@@ -41,7 +41,7 @@ impl SweepError {
     }
 
     /// Wraps a system error with the file that it concerns.
-    pub fn io(path: &Path) -> impl FnOnce(std::io::Error) -> SweepError + '_ {
+    pub fn io(path: &Path) -> impl Fn(std::io::Error) -> SweepError + '_ {
         move |error| SweepError::Io { path: path.to_owned(), error }
     }
 

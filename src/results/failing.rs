@@ -5,12 +5,12 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use super::disk::faults;
 use super::trial::{self, SIMD};
 use super::{
     CaseRecord, Checkpoint, Delivery, Directory, Filing, Manifest, OpenMode, Opened, SweepError,
     made_up, write_all_histories,
 };
+use crate::disk::faults;
 use crate::simulation::{CaseResult, Failure};
 use crate::study::{Case, CaseId, Study};
 

@@ -3,11 +3,12 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use super::atomic_file;
 use super::case_tables::{envelope_table, history, probe_table, reading_table, wave_table};
 use super::error::SweepError;
 use super::making::Making;
 use super::seal::{Seal, Seals};
-use super::{atomic_file, disk};
+use crate::disk;
 use crate::simulation::CaseResult;
 use crate::study::CaseId;
 

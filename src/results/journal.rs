@@ -12,11 +12,12 @@ use std::time::{Duration, Instant};
 
 use serde::Serialize;
 
+use super::atomic_file;
 use super::entries::{self, Condition, Content, Entry, Header};
 use super::error::SweepError;
 use super::record::CaseRecord;
 use super::wanted::Wanted;
-use super::{atomic_file, disk};
+use crate::disk;
 use crate::keys::named;
 
 pub(super) const FILE_NAME: &str = "journal.jsonl";

@@ -19,7 +19,6 @@ mod clock;
 mod closing;
 mod derived;
 mod directory;
-mod disk;
 mod earlier;
 mod ended;
 mod energy;

@@ -5,7 +5,8 @@ use std::path::Path;
 
 use super::error::SweepError;
 use super::record::CaseRecord;
-use super::{atomic_file, case_tables, disk};
+use super::{atomic_file, case_tables};
+use crate::disk;
 use crate::simulation::probe_columns;
 use crate::study::{Case, Study};
 

@@ -4,10 +4,11 @@ use std::fs::File;
 use std::path::Path;
 use std::sync::Arc;
 
+use super::atomic_file;
 use super::error::SweepError;
 use super::files::FOLDERS;
 use super::stamp::{CaseFiles, OpenFolders};
-use super::{atomic_file, disk};
+use crate::disk;
 
 /// From this many files on, they go to the disk together with all other waiting data. One by one
 /// takes seven times as long.

@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
-use super::{CompareArgs, save};
+use super::CompareArgs;
+use super::files::save;
 use crate::cli::failure::BadInput;
 use crate::cli::output::{Output, json_path, json_paths, short};
 use crate::cli::picked_case::the_case;

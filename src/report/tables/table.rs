@@ -3,7 +3,7 @@
 use std::fs::File;
 use std::path::Path;
 
-use crate::keys::write_whole;
+use crate::disk::write_whole;
 use crate::math::comma::csv;
 use crate::report::error::ReportError;
 

@@ -1,9 +1,9 @@
 use std::path::PathBuf;
 
-use super::super::disk::faults;
 use super::super::trial::{self, run, study};
 use super::super::{Directory, OpenMode, Opened};
 use super::*;
+use crate::disk::faults;
 use crate::study::Study;
 
 /// A study in its directory.

@@ -1,15 +1,15 @@
 //! Files that readers find complete or not at all: one gets its name once it is complete.
 
-use std::fs::{self, File};
+use std::fs::File;
 use std::io;
 use std::path::{Path, PathBuf};
 
 /// The end of the name of a file on its way. What a killed process leaves under one is removed by
 /// who writes next.
-pub const PARTIAL: &str = ".partial";
+pub(crate) const PARTIAL: &str = ".partial";
 
 /// Where a file is written before it gets its name.
-pub fn partial(path: &Path) -> PathBuf {
+fn partial(path: &Path) -> PathBuf {
     let mut name = path.file_name().unwrap_or_default().to_owned();
     name.push(PARTIAL);
     path.with_file_name(name)
@@ -19,21 +19,28 @@ pub fn partial(path: &Path) -> PathBuf {
 ///
 /// # Errors
 /// Those of `fill`, and those of the system, which `wrong` wraps.
-pub fn write_whole<T, E>(
+pub(crate) fn write_whole<T, E>(
     path: &Path,
     wrong: impl Fn(io::Error) -> E,
     fill: impl FnOnce(&File) -> Result<T, E>,
 ) -> Result<T, E> {
     let temporary = partial(path);
-    let file = File::create(&temporary).map_err(&wrong)?;
-    let renamed = |filled| fs::rename(&temporary, path).map_err(&wrong).map(|()| filled);
+    let file = super::create(&temporary).map_err(&wrong)?;
+    let renamed = |filled| super::rename(&temporary, path).map_err(&wrong).map(|()| filled);
     fill(&file).and_then(renamed).inspect_err(|_| {
-        let _ = fs::remove_file(&temporary);
+        // If this fails too, who writes next removes it.
+        let _ = super::remove_file(&temporary);
     })
+}
+
+/// Writes such a file in one go.
+pub(crate) fn put(path: &Path, content: impl AsRef<[u8]>) -> io::Result<()> {
+    write_whole(path, |error| error, |file| super::write(file, content.as_ref()))
 }
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
     use std::io::Write;
 
     use super::*;

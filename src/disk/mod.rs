@@ -1,24 +1,28 @@
 //! The system calls that change a study's files, all in one place, so that tests can make each of
-//! them fail.
+//! them fail. [`write_whole`] writes a file that readers find complete or not at all.
+
+mod whole_file;
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{Result, Write};
 use std::path::Path;
 
+pub(crate) use whole_file::{PARTIAL, put, write_whole};
+
 /// Creates a file, or empties it.
-pub(super) fn create(path: &Path) -> Result<File> {
+pub(crate) fn create(path: &Path) -> Result<File> {
     faults::next()?;
     File::create(path)
 }
 
 /// Opens a file for writing at its end.
-pub(super) fn append(path: &Path) -> Result<File> {
+pub(crate) fn append(path: &Path) -> Result<File> {
     faults::next()?;
     OpenOptions::new().append(true).create(true).open(path)
 }
 
 /// Writes all bytes. After a failure some of them may be there.
-pub(super) fn write(mut file: &File, bytes: &[u8]) -> Result<()> {
+pub(crate) fn write(mut file: &File, bytes: &[u8]) -> Result<()> {
     if let Err(error) = faults::next() {
         file.write_all(&bytes[..bytes.len() / 2])?;
         return Err(error);
@@ -28,7 +32,7 @@ pub(super) fn write(mut file: &File, bytes: &[u8]) -> Result<()> {
 
 /// Cuts a file to this length, on the disk as well. Some systems cannot cut files that are open for
 /// appending.
-pub(super) fn cut(path: &Path, length: u64) -> Result<()> {
+pub(crate) fn cut(path: &Path, length: u64) -> Result<()> {
     faults::next()?;
     let file = OpenOptions::new().write(true).open(path)?;
     file.set_len(length)?;
@@ -38,7 +42,7 @@ pub(super) fn cut(path: &Path, length: u64) -> Result<()> {
 /// Creates a file that does not exist, which gets its name only when it is complete. Returns
 /// whether it did. This is less work for the file system than a change of name.
 #[cfg(target_os = "linux")]
-pub(super) fn write_new(path: &Path, bytes: &[u8]) -> bool {
+pub(crate) fn write_new(path: &Path, bytes: &[u8]) -> bool {
     use rustix::fs::{AtFlags, CWD, Mode, OFlags};
     use std::os::fd::AsRawFd;
     use std::sync::atomic::{AtomicBool, Ordering};
@@ -67,18 +71,18 @@ pub(super) fn write_new(path: &Path, bytes: &[u8]) -> bool {
 
 /// Other systems have no files without names.
 #[cfg(not(target_os = "linux"))]
-pub(super) fn write_new(_path: &Path, _bytes: &[u8]) -> bool {
+pub(crate) fn write_new(_path: &Path, _bytes: &[u8]) -> bool {
     false
 }
 
 /// Puts a file's content, or the names in a folder, on the disk.
-pub(super) fn sync(file: &File) -> Result<()> {
+pub(crate) fn sync(file: &File) -> Result<()> {
     faults::next()?;
     if cfg!(test) { Ok(()) } else { file.sync_all() } // tests pull no plugs
 }
 
 /// Puts a file's content on the disk.
-pub(super) fn sync_data(file: &File) -> Result<()> {
+pub(crate) fn sync_data(file: &File) -> Result<()> {
     faults::next()?;
     if cfg!(test) { Ok(()) } else { file.sync_data() }
 }
@@ -86,7 +90,7 @@ pub(super) fn sync_data(file: &File) -> Result<()> {
 /// Puts all waiting data of an open folder's file system on the disk, if that file system is known
 /// to do so completely. Returns whether it did.
 #[cfg(target_os = "linux")]
-pub(super) fn sync_all(folder: &File) -> bool {
+pub(crate) fn sync_all(folder: &File) -> bool {
     /// ext2 to ext4, XFS, Btrfs, in memory, overlays.
     const KNOWN: [u64; 5] = [0xEF53, 0x5846_5342, 0x9123_683E, 0x0102_1994, 0x794C_7630];
     let known = || {
@@ -98,12 +102,12 @@ pub(super) fn sync_all(folder: &File) -> bool {
 
 /// Other systems have no such call.
 #[cfg(not(target_os = "linux"))]
-pub(super) fn sync_all(_folder: &File) -> bool {
+pub(crate) fn sync_all(_folder: &File) -> bool {
     false
 }
 
 /// Gives a file or folder another name.
-pub(super) fn rename(from: &Path, to: &Path) -> Result<()> {
+pub(crate) fn rename(from: &Path, to: &Path) -> Result<()> {
     faults::next()?;
     fs::rename(from, to)
 }
@@ -111,31 +115,31 @@ pub(super) fn rename(from: &Path, to: &Path) -> Result<()> {
 /// Exchanges the names of two folders in one step, so that both names always exist. Returns whether
 /// it did.
 #[cfg(target_os = "linux")]
-pub(super) fn exchange(one: &Path, other: &Path) -> bool {
+pub(crate) fn exchange(one: &Path, other: &Path) -> bool {
     use rustix::fs::{CWD, RenameFlags, renameat_with};
     faults::next().is_ok() && renameat_with(CWD, one, CWD, other, RenameFlags::EXCHANGE).is_ok()
 }
 
 /// Other systems have no such call.
 #[cfg(not(target_os = "linux"))]
-pub(super) fn exchange(_one: &Path, _other: &Path) -> bool {
+pub(crate) fn exchange(_one: &Path, _other: &Path) -> bool {
     false
 }
 
 /// Removes a file.
-pub(super) fn remove_file(path: &Path) -> Result<()> {
+pub(crate) fn remove_file(path: &Path) -> Result<()> {
     faults::next()?;
     fs::remove_file(path)
 }
 
 /// Makes a folder and those above it.
-pub(super) fn create_folder(path: &Path) -> Result<()> {
+pub(crate) fn create_folder(path: &Path) -> Result<()> {
     faults::next()?;
     fs::create_dir_all(path)
 }
 
 /// Makes a folder in one that exists. If that was removed, it is not made again.
-pub(super) fn create_folder_in(path: &Path) -> Result<()> {
+pub(crate) fn create_folder_in(path: &Path) -> Result<()> {
     faults::next()?;
     match fs::create_dir(path) {
         // Another process was faster.
@@ -145,13 +149,13 @@ pub(super) fn create_folder_in(path: &Path) -> Result<()> {
 }
 
 /// Removes a folder and all in it.
-pub(super) fn remove_folder(path: &Path) -> Result<()> {
+pub(crate) fn remove_folder(path: &Path) -> Result<()> {
     faults::next()?;
     fs::remove_dir_all(path)
 }
 
 /// A writer to a file, piece by piece.
-pub(super) struct Writer<'a>(pub(super) &'a File);
+pub(crate) struct Writer<'a>(pub(crate) &'a File);
 
 impl Write for Writer<'_> {
     fn write(&mut self, bytes: &[u8]) -> Result<usize> {
@@ -173,7 +177,7 @@ mod faults {
 
 /// Faults on demand, in the calls of one thread.
 #[cfg(test)]
-pub(super) mod faults {
+pub(crate) mod faults {
     use std::cell::Cell;
     use std::io::{Error, Result};
 
@@ -183,13 +187,13 @@ pub(super) mod faults {
     }
 
     /// From now on the call number `first`, counted from 0, fails, and `more` calls after it.
-    pub(in crate::results) fn arm(first: usize, more: usize) {
+    pub(crate) fn arm(first: usize, more: usize) {
         CALLS.set(0);
         FAILING.set([first, first.saturating_add(more)]);
     }
 
     /// Ends the faults. Returns the number of calls.
-    pub(in crate::results) fn disarm() -> usize {
+    pub(crate) fn disarm() -> usize {
         FAILING.set([usize::MAX; 2]);
         CALLS.get()
     }
