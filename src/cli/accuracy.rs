@@ -9,6 +9,7 @@ use super::table::Table;
 use super::{CASES_FAILED, SUCCESS};
 use crate::accuracy::{Errors, MethodScore, Scored, cheapest_within, methods, score};
 use crate::disk;
+use crate::disk::names::ACCURACY;
 use crate::keys::named;
 use crate::math::comma::csv;
 use crate::report::accuracy::{HEADER, write};
@@ -42,7 +43,7 @@ pub(super) fn main(args: &AccuracyArgs, output: &Output) -> anyhow::Result<u8> {
     let about: Vec<_> =
         ran.matrix.cases.iter().map(|case| (case.name.clone(), case.about.clone())).collect();
     disk::put(
-        &ran.out.join("accuracy.csv"),
+        &ran.out.join(ACCURACY),
         table_of(&scored, &[(Errors::All, &scores), (Errors::Loads, &loads)]),
     )?;
     let page = write(&ran.out, &about)?;

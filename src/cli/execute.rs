@@ -6,6 +6,7 @@ use super::cost::binary;
 use super::job::{Done, Job, Retry};
 use super::notices::{tallies, tell_opened, tell_start};
 use super::output::Output;
+use crate::disk::names::JOURNAL;
 use crate::execute::{
     Crew, Ending, Interrupt, Keeping, Progress, Session, Setup, SphRunner, Worked, coordinate,
     host_name, memory, threads,
@@ -52,7 +53,7 @@ pub(super) fn execute(
     interrupt: &Interrupt,
     output: &Output,
 ) -> Result<Done, SweepError> {
-    let anew = job.mode == OpenMode::Fresh || !job.out.join("journal.jsonl").exists();
+    let anew = job.mode == OpenMode::Fresh || !job.out.join(JOURNAL).exists();
     if anew {
         // These checks come before anything is written or moved aside.
         share_threads(job, job.study.run_count(), crew);

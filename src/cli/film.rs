@@ -10,6 +10,7 @@ use super::notices::hold_making;
 use super::output::{Output, json_path};
 use super::picked_case::the_case;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS, options, stored};
+use crate::disk::names::FILMS;
 use crate::execute::{Interrupt, available_cores};
 use crate::film::{Colour, Filming, PageFilm};
 use crate::keys::named;
@@ -69,7 +70,7 @@ pub(super) fn threads(asked: Option<u16>) -> usize {
 
 /// The folder of films in an output directory, and the colours of films.
 pub(super) fn page(directory: &Path, colour: Colour) -> PageFilm {
-    PageFilm { colour, folder: directory.join("films") }
+    PageFilm { colour, folder: directory.join(FILMS) }
 }
 
 /// Where and how cases are filmed again.

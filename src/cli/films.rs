@@ -11,6 +11,7 @@ use super::job::Done;
 use super::output::{Output, duration};
 use super::picked_case;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
+use crate::disk::names::{FILMS, REASONS};
 use crate::execute::Interrupt;
 use crate::film::Colour;
 use crate::keys;
@@ -40,7 +41,7 @@ fn named<'a>(study: &'a Study, word: &str) -> Result<&'a Case, BadInput> {
 
 /// The films of a directory, with those of earlier calls.
 pub(super) fn pages(directory: &Path) -> Vec<PathBuf> {
-    let entries = std::fs::read_dir(directory.join("films")).into_iter().flatten().flatten();
+    let entries = std::fs::read_dir(directory.join(FILMS)).into_iter().flatten().flatten();
     let paths = entries.map(|entry| entry.path());
     let mut pages: Vec<_> = paths
         .filter(|path| path.extension().is_some_and(|it| it == "html") && path.is_file())
@@ -95,7 +96,7 @@ pub(super) fn make(
         shot.iter().for_each(|shot| shot.tell(case, output));
     }
     let filmed = highlights.iter().filter(|one| set.page(&study.cases[one.index]).is_file());
-    let reasons = set.directory.join(highlights::REASONS);
+    let reasons = set.directory.join(REASONS);
     if let Err(error) = highlights::tell(filmed, study, set.directory) {
         let (file, why) = (keys::named(&reasons), in_words(&error));
         output.note(format_args!(

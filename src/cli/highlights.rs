@@ -3,13 +3,11 @@
 use std::path::Path;
 
 use crate::disk;
+use crate::disk::names::REASONS;
 use crate::math::comma::csv;
 use crate::results::CaseRecord;
 use crate::simulation::Outcome;
 use crate::study::Study;
-
-/// The file that says why a directory's cases were filmed; the report reads it.
-pub(super) const REASONS: &str = "films/reasons.csv";
 
 /// The reasons that make a case worth a look.
 const CRITERIA: [Criterion; 4] = [

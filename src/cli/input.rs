@@ -7,6 +7,7 @@ use clap::ValueEnum;
 
 use super::failure::{BadFile, BadInput};
 use super::picked_case::the_case;
+use crate::disk::names::{JOURNAL, MANIFEST};
 use crate::keys::{bytes_of, named};
 use crate::math::simd::SimdPath;
 use crate::math::words::in_words;
@@ -122,11 +123,6 @@ fn unreadable(path: &Path, error: &std::io::Error, wanted: FileKind) -> BadInput
     };
     BadInput::of(path, reason)
 }
-
-/// What every output directory holds.
-const MANIFEST: &str = "manifest.json";
-pub(super) const JOURNAL: &str = "journal.jsonl";
-pub(super) const SUMMARY: &str = "summary.csv";
 
 /// Refuses a directory that does not hold a file which every output directory of a study has.
 pub(super) fn demand_output_of_study(directory: &Path, holds: &str) -> Result<(), BadInput> {

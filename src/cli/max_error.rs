@@ -11,6 +11,7 @@ use super::job::Done;
 use super::output::{Output, short};
 use crate::accuracy::{Choice, Choices, MaxError, Missed, Verified};
 use crate::disk;
+use crate::disk::names::MAX_ERROR;
 use crate::math::lists::counts;
 use crate::math::words::counted;
 use crate::results::finished;
@@ -195,7 +196,7 @@ pub(super) fn report(
     done: &Done,
 ) -> anyhow::Result<(String, serde_json::Value)> {
     let verified = aim.verify(study, done.directory.records());
-    disk::put(&done.directory.path().join("max_error.csv"), aim.csv(study, &verified))?;
+    disk::put(&done.directory.path().join(MAX_ERROR), aim.csv(study, &verified))?;
     let met = verified.iter().filter(|case| case.missed.is_none()).count();
     let (percent, cases) = (aim.percent(), counted(study.cases.len(), "case"));
     let widest = verified.iter().filter_map(|case| case.bar_percent).max_by(f64::total_cmp);

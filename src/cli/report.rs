@@ -6,11 +6,12 @@ use clap::Args;
 use serde_json::json;
 
 use super::failure::not_writable;
-use super::input::{JOURNAL, SUMMARY, demand_output_of_study};
+use super::input::demand_output_of_study;
 use super::notices::hold_making;
 use super::options::{FigureFormat, for_print};
 use super::output::{Output, json_path, json_paths};
 use super::{CASES_FAILED, SUCCESS, stored};
+use crate::disk::names::{FIGURES, JOURNAL, SUMMARY, TABLES};
 use crate::keys::named;
 use crate::math::words::counted;
 use crate::report::{Froude, Omitted, Written};
@@ -71,7 +72,7 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
     let mut told = format!("report: {}\n", named(&report));
     let prototype = args.froude_scale.map(|scale| scale.words());
     if let Some(scale) = &prototype {
-        let tables = Froude::TABLES.map(|name| args.dir.join("tables").join(format!("{name}.csv")));
+        let tables = Froude::TABLES.map(|name| args.dir.join(TABLES).join(format!("{name}.csv")));
         let made: Vec<_> = tables.iter().filter(|path| path.is_file()).collect();
         for path in &made {
             told.push_str(&format!("at Froude scale {scale}: {}\n", named(path)));
@@ -86,7 +87,7 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
         let files = counted(figures.len(), "file");
         told.push_str(&format!(
             "figures for print: {files} in {}\n",
-            named(&args.dir.join("figures"))
+            named(&args.dir.join(FIGURES))
         ));
     }
     output.result(

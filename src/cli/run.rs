@@ -16,6 +16,7 @@ use super::notices::hold_making;
 use super::options::KeepArgs;
 use super::output::{Output, duration};
 use super::{cost, lost_bars, options, warnings};
+use crate::disk::names::{FILMS, VTK};
 use crate::execute::{Ending, Interrupt};
 use crate::film::{Colour, Filming, PageFilm, VtkFilm};
 use crate::keys::named;
@@ -87,7 +88,7 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
         simd: args.simd.path(),
         overrides: settings.iter().map(|setting| setting.text.clone()).collect(),
     };
-    let folder = job.out.join("vtk");
+    let folder = job.out.join(VTK);
     let vtk = args.vtk.map(|interval_s| Filming::Vtk(VtkFilm { interval_s, folder }));
     let page = args.film.map(|colour| film::page(&job.out, colour));
     if page.is_some() {
@@ -109,7 +110,7 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
     }
     done.directory.left().demand(done.directory.path())?;
     if done.wall_time_s.is_some() && done.ending == Ending::Finished {
-        let filmed = [args.vtk.map(|_| "vtk"), args.film.map(|_| "films")];
+        let filmed = [args.vtk.map(|_| VTK), args.film.map(|_| FILMS)];
         let _making = hold_making(done.directory.path(), output);
         let seal = |folder| Derived::renew_folder(done.directory.path(), folder);
         filmed.into_iter().flatten().try_for_each(seal)?;

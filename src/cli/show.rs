@@ -14,12 +14,13 @@ use super::failure::BadInput;
 use super::output::{Output, json_paths, with_bar, wrapped};
 use super::picked_case::{Choice, in_every_case, the_case, the_one};
 use super::{SUCCESS, stored};
+use crate::disk::names::{CASE_FOLDERS, FILMS, SUMMARY, VTK};
 use crate::keys;
 use crate::math::words::counted;
 use crate::quantities::summary::{CASE_ID, STATUS, WAVE_HEIGHT_RATIO};
 use crate::quantities::{Column, named};
-use crate::report::load::Loaded;
-use crate::report::{self, as_typed, scene_values, spoken};
+use crate::report::load::{Loaded, stream};
+use crate::report::{self, ReportError, as_typed, scene_values, spoken};
 use crate::results::{Manifest, finished};
 
 /// Show one case of a finished study: its parameters, results, error bars, health and files.
@@ -48,7 +49,7 @@ pub(super) fn main(args: &ShowArgs, output: &Output) -> anyhow::Result<u8> {
         return Ok(SUCCESS);
     }
     stored::demand_summary(&args.dir)?;
-    let rows = rows(&args.dir.join("summary.csv"))?;
+    let rows = rows(&args.dir.join(SUMMARY))?;
     let (keys, cases) = Manifest::read(&args.dir)
         .map_or_else(Default::default, |manifest| (manifest.keys, manifest.cases));
     let choices: Vec<_> = rows.iter().map(|row| row.choice(&keys)).collect();
@@ -98,10 +99,10 @@ const INDENT: usize = 27;
 struct Row(Rc<StringRecord>, StringRecord);
 
 fn rows(path: &Path) -> anyhow::Result<Vec<Row>> {
-    let bad = |error: csv::Error| BadInput::of(path, error);
-    let mut reader = csv::Reader::from_path(path).map_err(bad)?;
-    let names = Rc::new(reader.headers().map_err(bad)?.clone());
-    reader.records().map(|cells| Ok(Row(names.clone(), cells.map_err(bad)?))).collect()
+    let bad = |error: ReportError| BadInput(error.to_string());
+    let (names, rows) = stream(path).map_err(bad)?;
+    let names = Rc::new(names);
+    rows.map(|cells| Ok(Row(names.clone(), cells.map_err(bad)?))).collect()
 }
 
 impl Row {
@@ -166,21 +167,11 @@ impl Row {
 
 /// The files of a case that exist.
 fn files(directory: &Path, id: &str) -> Vec<PathBuf> {
-    let places = [
-        "histories/.csv",
-        "probes/.csv",
-        "readings/.csv",
-        "envelopes/.csv",
-        "waves/.csv",
-        "films/.html",
-        "films/.svg",
-        "films/-highest.svg",
-        "films/-furthest.svg",
-        "vtk/.pvd",
-    ];
-    let places = places.iter().filter_map(|place| place.split_once('/'));
+    let tables = CASE_FOLDERS.map(|folder| (folder, ".csv")).into_iter();
+    let films = [".html", ".svg", "-highest.svg", "-furthest.svg"].map(|ending| (FILMS, ending));
     let path = |(folder, ending)| directory.join(folder).join(format!("{id}{ending}"));
-    places.map(path).filter(|path| path.is_file()).collect()
+    let paths = tables.chain(films).chain([(VTK, ".pvd")]).map(path);
+    paths.filter(|path| path.is_file()).collect()
 }
 
 /// The row with what the study's file says of its paddle, and what it says of its scene.

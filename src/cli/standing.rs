@@ -11,6 +11,7 @@ use super::input::demand_output_of_study;
 use super::output::duration;
 use super::stored;
 use super::watch::View;
+use crate::disk::names::JOURNAL;
 use crate::math::words::counted;
 use crate::results::{
     Closing, Derived, Fared, Header, Load, Lock, Manifest, RankInfo, read_journal_header,
@@ -82,7 +83,7 @@ pub(super) struct Standing {
 impl Standing {
     /// The progress of a directory's study.
     pub(super) fn of(directory: &Path) -> anyhow::Result<Standing> {
-        demand_output_of_study(directory, "journal.jsonl")?;
+        demand_output_of_study(directory, JOURNAL)?;
         let manifest = Manifest::read(directory);
         let companions = manifest.as_ref().map_or(0, |manifest| manifest.companions);
         // For a closed study without failures there is nothing more to report.

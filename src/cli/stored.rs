@@ -3,8 +3,9 @@
 use std::path::Path;
 
 use super::failure::BadInput;
-use super::input::{JOURNAL, SUMMARY, demand_output_of_study};
+use super::input::demand_output_of_study;
 use super::{max_error, refine};
+use crate::disk::names::{JOURNAL, MANIFEST, SUMMARY};
 use crate::keys::named;
 use crate::math::simd::SimdPath;
 use crate::results::{Lock, Manifest, read_journal_header};
@@ -42,7 +43,7 @@ pub(super) fn demand_summary(directory: &Path) -> Result<(), BadInput> {
 
 fn manifest_and_file(directory: &Path) -> anyhow::Result<(Manifest, SweepFile)> {
     let bad = |reason: String| BadInput::of(directory, reason);
-    demand_output_of_study(directory, "manifest.json")?;
+    demand_output_of_study(directory, MANIFEST)?;
     let lacking = || bad("manifest.json cannot be read".to_owned());
     let manifest = Manifest::read(directory).ok_or_else(lacking)?;
     if manifest.physics_version != PHYSICS_VERSION {

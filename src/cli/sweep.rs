@@ -19,10 +19,11 @@ use super::options::{EndingArgs, KeepArgs};
 use super::output::{Output, json_paths};
 use super::overview;
 use super::{INTERRUPTED, SUCCESS, check, films, max_error, notices, options, warnings};
+use crate::disk::names::PAGE;
 use crate::execute::{Crew, Ending, Interrupt, Keeping, Launcher, Setup, SphRunner, mpi, threads};
 use crate::keys::named;
 use crate::math::words::counted;
-use crate::report::{PAGE as REPORT, ReportError};
+use crate::report::ReportError;
 use crate::results::{Derived, OpenMode, write_all_histories};
 
 /// Run all cases of a sweep file, on threads or under mpirun. Go on where an earlier run stopped.
@@ -144,7 +145,7 @@ fn lead(
     if let Some(asked) = asked.as_ref().filter(|_| args.only_goes_on()) {
         let out = args.out.clone().unwrap_or_else(|| named_out(&file.name));
         args.ending.begin(&out)?;
-        if let Some(code) = asked.tell(&out, &out.join(REPORT), output)? {
+        if let Some(code) = asked.tell(&out, &out.join(PAGE), output)? {
             return Ok(code);
         }
     }
@@ -241,7 +242,7 @@ fn told_at_end(
     done: &Done,
     output: &Output,
 ) -> anyhow::Result<(String, Value)> {
-    let report = done.directory.path().join(REPORT);
+    let report = done.directory.path().join(PAGE);
     let mut text = overview::text(job, done, &report, output.verbose);
     let mut value = if output.is_json() { done.json(job, Some(&report))? } else { json!({}) };
     value["films"] = json!(json_paths(&films::pages(done.directory.path())));

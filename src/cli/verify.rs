@@ -9,6 +9,7 @@ use super::failure::BadInput;
 use super::input::demand_output_of_study;
 use super::output::Output;
 use super::{CASES_FAILED, SUCCESS, film, options, stored};
+use crate::disk::names::JOURNAL;
 use crate::math::words::counted;
 use crate::results::{
     CaseRecord, Manifest, Verified, VerifiedFiles, first_difference, verify, verify_files,
@@ -33,7 +34,7 @@ pub(super) struct VerifyArgs {
 }
 
 pub(super) fn main(args: &VerifyArgs, output: &Output) -> anyhow::Result<u8> {
-    demand_output_of_study(&args.dir, "journal.jsonl")?;
+    demand_output_of_study(&args.dir, JOURNAL)?;
     let (study, simd) = match (stored::study(&args.dir), Manifest::damage(&args.dir)) {
         (Err(_), Some(what)) => return lost(what, output),
         (Err(error), None) => match stored::missing_stroke(&args.dir) {

@@ -1,6 +1,7 @@
 //! The system calls that change a study's files, all in one place, so that tests can make each of
 //! them fail. [`write_whole`] writes a file that readers find complete or not at all.
 
+pub(crate) mod names;
 mod whole_file;
 
 use std::fs::{self, File, OpenOptions};

@@ -9,6 +9,7 @@ use super::load::{demand, deserialize, read_records};
 use super::plots::{Axis, Chart, Curve, Drawing, Entry, Figure, Layout, Look, Point};
 use super::tables::Table;
 use super::{make, save};
+use crate::disk::names::{ACCURACY, FIGURES};
 use crate::math::lists::different;
 
 /// The columns of `accuracy.csv`. The cases `all` and `loads` hold a method's sums.
@@ -48,11 +49,11 @@ struct Line {
 /// Writes `figures/error-against-time.svg` and `accuracy.md` into a directory that holds
 /// `accuracy.csv`; `about` says what each case is. Returns the page's path.
 pub fn write(directory: &Path, about: &[(String, String)]) -> Result<PathBuf, ReportError> {
-    let path = directory.join("accuracy.csv");
+    let path = directory.join(ACCURACY);
     let (header, records) = read_records(&path, false)?;
     demand(&path, &header, HEADER.into_iter())?;
     let lines: Vec<Line> = deserialize(&path, &header, &records)?;
-    let figures = directory.join("figures");
+    let figures = directory.join(FIGURES);
     make(&figures)?;
     if let Some(figure) = error_against_time(&lines) {
         save(&figures.join(format!("{}.svg", figure.name)), &figure.svg())?;

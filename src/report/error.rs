@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::disk::names::{JOURNAL, SUMMARY};
 use crate::keys::named;
 use crate::math::words::in_words;
 
@@ -35,8 +36,8 @@ pub enum ReportError {
 
 /// What mends a summary: a study's journal has all of it.
 fn remedy(path: &Path) -> String {
-    let directory = path.parent().filter(|_| path.ends_with("summary.csv"));
-    let directory = directory.filter(|directory| directory.join("journal.jsonl").is_file());
+    let directory = path.parent().filter(|_| path.ends_with(SUMMARY));
+    let directory = directory.filter(|directory| directory.join(JOURNAL).is_file());
     directory.map_or_else(String::new, |directory| {
         let directory = named(directory);
         format!(": the file is damaged; `seawall report {directory}` makes it again")

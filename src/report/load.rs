@@ -14,6 +14,7 @@ use super::omitted::Omitted;
 use super::row::{Header, RECORDED, REGULAR, Row};
 use super::study::{Key, StudyFile, keys};
 use super::variant::name_variants;
+use crate::disk::names::{ENERGY, FILMS, MANIFEST, SUMMARY};
 use crate::keys::number;
 use crate::quantities::{named, summary};
 
@@ -38,13 +39,13 @@ pub struct Loaded {
 impl Loaded {
     /// Reads everything but the files of single cases.
     pub fn read(directory: &Path) -> Result<Loaded, ReportError> {
-        let energy = directory.join("energy.csv");
+        let energy = directory.join(ENERGY);
         let energy = Some(energy).filter(|path| path.exists());
         if let Some(path) = &energy {
             demand(path, &stream(path)?.0, std::iter::once(summary::CASE_ID.name))?;
         }
-        let manifest = read_manifest(&directory.join("manifest.json"));
-        let (mut rows, keys) = read_summary(&directory.join("summary.csv"), manifest.as_ref())?;
+        let manifest = read_manifest(&directory.join(MANIFEST));
+        let (mut rows, keys) = read_summary(&directory.join(SUMMARY), manifest.as_ref())?;
         let file = StudyFile::of(manifest.as_ref());
         let angle = file.as_ref().and_then(|file| number(file.scene.get("wall_angle_deg")?));
         let paddle = file.as_ref().and_then(|file| file.scene.get("paddle")?.as_str());
@@ -116,7 +117,7 @@ impl Loaded {
 
     /// The ids of the cases that were filmed.
     pub(super) fn filmed(&self) -> Vec<String> {
-        let entries = fs::read_dir(self.directory.join("films")).into_iter().flatten().flatten();
+        let entries = fs::read_dir(self.directory.join(FILMS)).into_iter().flatten().flatten();
         let names = entries.map(|entry| entry.file_name().to_string_lossy().into_owned());
         names.filter_map(|name| Some(name.strip_suffix(".html")?.to_owned())).collect()
     }
@@ -124,13 +125,13 @@ impl Loaded {
     /// Whether a case was filmed.
     pub fn has_film(&self, row: &Row) -> bool {
         let id = row.text(&summary::CASE_ID);
-        self.directory.join("films").join(format!("{id}.html")).is_file()
+        self.directory.join(FILMS).join(format!("{id}.html")).is_file()
     }
 
     /// The text of a file of a case's film: `.html`, `.svg` or `-furthest.svg`.
     pub(super) fn film(&self, row: &Row, ending: &str) -> Option<String> {
         let id = row.text(&summary::CASE_ID);
-        fs::read_to_string(self.directory.join("films").join(format!("{id}{ending}"))).ok()
+        fs::read_to_string(self.directory.join(FILMS).join(format!("{id}{ending}"))).ok()
     }
 
     /// Rows of cases that failed.
@@ -196,7 +197,7 @@ pub(super) fn read_records(
 }
 
 /// The columns of a table, and its rows read one by one: a large table is never held whole.
-pub(super) fn stream(
+pub fn stream(
     path: &Path,
 ) -> Result<(StringRecord, impl Iterator<Item = Result<StringRecord, ReportError>>), ReportError> {
     let wrong = |source| ReportError::Table { path: path.to_owned(), source };

@@ -51,11 +51,9 @@ pub use scene_values::scene_values;
 pub use spoken::spoken;
 
 use crate::disk;
+use crate::disk::names::{FIGURES, PAGE, TABLES};
 use load::Loaded;
 use tables::Lines;
-
-/// The page's file in an output directory.
-pub const PAGE: &str = "report.html";
 
 /// Writes `figures/*.svg`, `tables/*.csv` and `report.html` into an output directory that holds
 /// at least a `summary.csv`.
@@ -77,10 +75,10 @@ pub fn write_with(
     let figures = plots::all(shown)?;
     for name in Froude::TABLES {
         // A table of an earlier scale may be there.
-        let _ = fs::remove_file(out_dir.join("tables").join(format!("{name}.csv")));
+        let _ = fs::remove_file(out_dir.join(TABLES).join(format!("{name}.csv")));
     }
     let papers = papers::papers(shown)?;
-    let (figures_dir, tables_dir) = (out_dir.join("figures"), out_dir.join("tables"));
+    let (figures_dir, tables_dir) = (out_dir.join(FIGURES), out_dir.join(TABLES));
     make(&figures_dir)?;
     make(&tables_dir)?;
     let drawn: Vec<_> = figures.iter().chain(&papers.figures).collect();
@@ -116,10 +114,10 @@ pub fn write_with(
     }
     let figures = drawn.iter().flat_map(|figure| {
         let names = printed_names(figure, &figures_dir).into_iter();
-        names.chain([format!("{}.svg", figure.name)]).map(|name| format!("figures/{name}"))
+        names.chain([format!("{}.svg", figure.name)]).map(|name| format!("{FIGURES}/{name}"))
     });
     let tables =
-        tables.iter().chain(&papers.tidy).map(|table| format!("tables/{}.csv", table.name));
+        tables.iter().chain(&papers.tidy).map(|table| format!("{TABLES}/{}.csv", table.name));
     Ok(Written { page: path, printed, made: figures.chain(tables).collect() })
 }
 

@@ -7,6 +7,7 @@ use toml::{Table, Value};
 
 use super::load::Loaded;
 use super::study::{Key, StudyFile};
+use crate::disk::names::MAX_ERROR;
 use crate::keys::read_value;
 use crate::scene::{CaseConfig, Place, place_of};
 
@@ -24,7 +25,7 @@ impl SceneFile {
     /// known. Numerics that were chosen case by case come from `max_error.csv`.
     pub fn of(data: &Loaded) -> Option<SceneFile> {
         let file = data.file()?;
-        let chosen = chosen(&data.directory.join("max_error.csv"));
+        let chosen = chosen(&data.directory.join(MAX_ERROR));
         let chosen = chosen.or_else(|| file.aims.then(HashMap::new));
         let known = data.keys.iter().all(|key| place_of(&key.name, &file.scene).is_ok());
         let name = data.name().unwrap_or("case").to_owned();

@@ -8,6 +8,7 @@ use serde::Deserialize;
 
 use super::error::ReportError;
 use super::load::{Loaded, demand, deserialize, read_records};
+use crate::disk::names::{ENVELOPES, HISTORIES, PROBE_COLUMNS, PROBES, READINGS, of_case};
 use crate::quantities::{envelope, history};
 
 /// Values over time: of a history, or of a gauge.
@@ -60,13 +61,13 @@ pub struct Pressed {
 impl Loaded {
     /// Whether a case has a file of gauges.
     pub fn has_gauges(&self, case_id: &str) -> bool {
-        let path = self.directory.join(format!("probes/{case_id}.csv"));
+        let path = of_case(&self.directory, PROBES, case_id);
         path.exists() && !self.omitted.has(&path)
     }
 
     /// The gauges of a case.
     pub fn gauges(&self, case_id: &str) -> Result<History, ReportError> {
-        let mut gauges = self.series("probes", case_id, &[history::TIME.name])?;
+        let mut gauges = self.series(PROBES, case_id, &[history::TIME.name])?;
         if !gauges.0.is_empty() {
             let mut columns = self.columns()?;
             for gauge in &mut gauges.0 {
@@ -79,7 +80,7 @@ impl Loaded {
     /// The history of a case.
     pub fn history(&self, case_id: &str) -> Result<History, ReportError> {
         let needed = [&history::TIME, &history::FORCE, &history::RUNUP, &history::DISPLACEMENT];
-        self.series("histories", case_id, &needed.map(|column| column.name))
+        self.series(HISTORIES, case_id, &needed.map(|column| column.name))
     }
 
     fn series(
@@ -88,13 +89,13 @@ impl Loaded {
         case_id: &str,
         needed: &[&'static str],
     ) -> Result<History, ReportError> {
-        let path = self.directory.join(format!("{folder}/{case_id}.csv"));
+        let path = of_case(&self.directory, folder, case_id);
         self.omitted.read(&path, |path| series(path, needed))
     }
 
     /// The readings of a case besides its row, in the file's order.
     pub fn readings(&self, case_id: &str) -> Result<Vec<Reading>, ReportError> {
-        let path = self.directory.join(format!("readings/{case_id}.csv"));
+        let path = of_case(&self.directory, READINGS, case_id);
         self.omitted.read(&path, |path| {
             let (header, records) = read_records(path, true)?;
             demand(path, &header, ["name", "value", "unit"].into_iter())?;
@@ -104,7 +105,7 @@ impl Loaded {
 
     /// The largest pressures up the wall of a case; empty where it has no such file.
     pub fn envelope(&self, case_id: &str) -> Result<Vec<Pressed>, ReportError> {
-        let path = self.directory.join(format!("envelopes/{case_id}.csv"));
+        let path = of_case(&self.directory, ENVELOPES, case_id);
         self.omitted.read(&path, |path| {
             let (header, records) = read_records(path, false)?;
             demand(path, &header, envelope::ALL.iter().map(|column| column.name))?;
@@ -114,7 +115,7 @@ impl Loaded {
 
     /// Units and methods of the gauges' columns, by name.
     fn columns(&self) -> Result<BTreeMap<String, [String; 2]>, ReportError> {
-        let path = self.directory.join("probes/columns.csv");
+        let path = self.directory.join(PROBE_COLUMNS);
         self.omitted.read(&path, |path| {
             let (header, records) = read_records(path, true)?;
             demand(path, &header, ["name", "unit"].into_iter())?;

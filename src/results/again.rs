@@ -12,6 +12,7 @@ use super::error::SweepError;
 use super::filling::{self, Filling};
 use super::record::{CaseRecord, HeldLine};
 use super::{files, journal, summary};
+use crate::disk::names::{JOURNAL, SUMMARY, of_case};
 use crate::math::words::{counted, in_words};
 use crate::quantities::summary::{CASE_ID, WALL_TIME};
 use crate::simulation::CaseResult;
@@ -40,10 +41,7 @@ pub(super) fn finished_of(
         if let (None, Some(run)) = (record, run) {
             let lost = format!("the line of case {} can no longer be read", run.id);
             let again = "give the same command again: the case runs again";
-            return Err(SweepError::refused(
-                &directory.join(journal::FILE_NAME),
-                format!("{lost}; {again}"),
-            ));
+            return Err(SweepError::refused(&directory.join(JOURNAL), format!("{lost}; {again}")));
         }
     }
     Ok(records)
@@ -75,7 +73,7 @@ pub fn first_difference(
     result: &CaseResult,
 ) -> Result<Option<String>, SweepError> {
     let record = CaseRecord::new(study, case, &Ok(result.clone()), 0.0, "");
-    let path = directory.join("summary.csv");
+    let path = directory.join(SUMMARY);
     let wrong = |error: csv::Error| SweepError::io(&path)(error.into());
     let new = summary::row(study, records, case, &record).map_err(wrong)?;
     let id = case.id.to_string();
@@ -98,7 +96,7 @@ pub fn first_difference(
         return Ok(Some("the journal has other energies".to_owned()));
     }
     for (folder, new) in files::texts(result) {
-        let path = files::path(directory, folder, case.id);
+        let path = of_case(directory, folder, case.id);
         if !path.exists() && path != files::history_path(directory, case.id) {
             continue; // earlier versions left less
         }

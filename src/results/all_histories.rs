@@ -9,9 +9,8 @@ use flate2::{Compression, GzBuilder};
 use super::error::SweepError;
 use super::{atomic_file, files};
 use crate::disk::Writer;
+use crate::disk::names::{ALL_HISTORIES, SUMMARY};
 use crate::quantities::summary::CASE_ID;
-
-const FILE_NAME: &str = "histories.csv.gz";
 
 /// Joins the histories of a directory in one table: `case_id`, and the columns of the single files
 /// with the same numbers, text for text, in the order of the summary. The same files give the same
@@ -33,10 +32,10 @@ pub fn write_sound_histories(
     is_left_out: &dyn Fn(&Path) -> bool,
     spare: &dyn Fn(&Path, &SweepError) -> bool,
 ) -> Result<Option<PathBuf>, SweepError> {
-    let ids = ids(&directory.join("summary.csv"))?.into_iter();
+    let ids = ids(&directory.join(SUMMARY))?.into_iter();
     let cases = ids.map(|id| (files::history_path(directory, &id), id));
     let cases: Vec<_> = cases.filter(|(path, _)| path.is_file() && !is_left_out(path)).collect();
-    let path = directory.join(FILE_NAME);
+    let path = directory.join(ALL_HISTORIES);
     if cases.is_empty() {
         return Ok(None);
     }
@@ -136,13 +135,13 @@ mod tests {
     fn what_does_not_fit_together_is_told_and_leaves_the_old_table() {
         assert_eq!(write_all_histories(directory(&[]).path()).unwrap(), None);
         let root = directory(&[("a", "time_s,level\n0,1\n"), ("b", "time_s,force\n0,2\n")]);
-        fs::write(root.path().join(FILE_NAME), "old").unwrap();
+        fs::write(root.path().join(ALL_HISTORIES), "old").unwrap();
         let told = write_all_histories(root.path()).unwrap_err().to_string();
         assert!(told.ends_with("a.csv: has other columns than the histories before it"), "{told}");
-        assert_eq!(fs::read(root.path().join(FILE_NAME)).unwrap(), b"old");
+        assert_eq!(fs::read(root.path().join(ALL_HISTORIES)).unwrap(), b"old");
         let spare = |path: &Path, _: &SweepError| path.ends_with("a.csv");
         write_sound_histories(root.path(), &|_| false, &spare).unwrap();
-        assert_ne!(fs::read(root.path().join(FILE_NAME)).unwrap(), b"old");
+        assert_ne!(fs::read(root.path().join(ALL_HISTORIES)).unwrap(), b"old");
         fs::write(root.path().join("summary.csv"), "case\na\n").unwrap();
         let told = write_all_histories(root.path()).unwrap_err().to_string();
         assert!(told.ends_with("summary.csv: no column case_id"), "{told}");

@@ -13,9 +13,9 @@ use serde::{Deserialize, Serialize};
 use super::atomic_file;
 use super::checksum::{checksum_of, split};
 use super::error::SweepError;
-use super::journal;
 use super::program::Program;
 use crate::disk;
+use crate::disk::names::JOURNAL;
 use crate::math::simd::SimdPath;
 use crate::study::CaseId;
 
@@ -81,7 +81,7 @@ impl Checkpoint {
     /// Replaces it by this state and waits until that is on the disk. A rank that does not see the
     /// sweep's directory writes nothing.
     pub fn write(&self, state: &[u8]) -> Result<(), SweepError> {
-        if !self.directory.join(journal::FILE_NAME).is_file() {
+        if !self.directory.join(JOURNAL).is_file() {
             return Ok(());
         }
         let folder = self.directory.join(FOLDER);
@@ -143,7 +143,7 @@ mod tests {
     fn another_builds_and_another_cases_are_not_gone_on_from() {
         let root = tempfile::tempdir().unwrap();
         let kept = checkpoint(root.path());
-        fs::write(root.path().join(journal::FILE_NAME), "").unwrap();
+        fs::write(root.path().join(JOURNAL), "").unwrap();
         kept.write(b"state").unwrap();
         let bytes = fs::read(kept.path()).unwrap();
         let program = Program { sources: "0123456789abcdef".to_owned(), ..Program::this() };

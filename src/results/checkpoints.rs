@@ -98,8 +98,8 @@ pub(super) fn clear(directory: &Path) -> Result<(), SweepError> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::journal;
     use super::*;
+    use crate::disk::names::JOURNAL;
 
     const ID: &str = "00000000000000ab";
 
@@ -114,7 +114,7 @@ mod tests {
         let id: CaseId = ID.parse().unwrap();
         kept.write(&state).unwrap();
         assert!(!kept.path().exists(), "not without a journal");
-        fs::write(root.path().join(journal::FILE_NAME), "").unwrap();
+        fs::write(root.path().join(JOURNAL), "").unwrap();
         assert_eq!(kept.read(), Ok(None));
         kept.write(&state).unwrap();
         assert_eq!(kept.read(), Ok(Some(state.to_vec())));

@@ -21,16 +21,17 @@ use super::making::Making;
 use super::seal::Seal;
 use super::{atomic_file, sealed};
 use crate::disk;
+use crate::disk::names::{ALL_HISTORIES, FIGURES, FILMS, MAX_ERROR, PAGE, TABLES, VTK};
 
 const FILE_NAME: &str = "derived.json";
-const FILES: [&str; 3] = ["histories.csv.gz", "max_error.csv", "report.html"];
-const FOLDERS: [&str; 4] = ["figures", "tables", "films", "vtk"];
+const FILES: [&str; 3] = [ALL_HISTORIES, MAX_ERROR, PAGE];
+const FOLDERS: [&str; 4] = [FIGURES, TABLES, FILMS, VTK];
 /// Those of a report.
-const REPORTED: [&str; 2] = ["figures", "tables"];
+const REPORTED: [&str; 2] = [FIGURES, TABLES];
 /// Files that only a running case makes: starts of paths.
 const MADE_BY_RUNS: &[&str] = &["films/", "vtk/"];
 /// Files that a report alone does not make again.
-pub const MADE_BY_SWEEPS: &[&str] = &["films/", "vtk/", "max_error.csv"];
+pub const MADE_BY_SWEEPS: &[&str] = &["films/", "vtk/", MAX_ERROR];
 
 /// The seals of a directory's derived files, by their paths in it.
 #[derive(Debug, Default, Serialize, Deserialize)]

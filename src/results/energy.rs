@@ -7,17 +7,17 @@ use super::error::SweepError;
 use super::record::CaseRecord;
 use super::{atomic_file, number, rows};
 use crate::disk::Writer;
+use crate::disk::names::ENERGY;
 use crate::quantities::{energy, summary};
 use crate::simulation::{EnergyBudget, Outcome};
 use crate::study::CaseId;
 
-pub(super) const FILE_NAME: &str = "energy.csv";
 /// Bytes written to the file at once.
 const BUFFER: usize = 1 << 20;
 
 /// Writes the budgets of the finished cases, in grid order.
 pub(super) fn write(directory: &Path, records: &[Option<CaseRecord>]) -> Result<(), SweepError> {
-    let path = directory.join(FILE_NAME);
+    let path = directory.join(ENERGY);
     atomic_file::write_with(&path, |file| {
         write_table(Writer(file), records).map_err(SweepError::io(&path))
     })

@@ -9,16 +9,9 @@ use super::error::SweepError;
 use super::making::Making;
 use super::seal::{Seal, Seals};
 use crate::disk;
+use crate::disk::names::{CASE_FOLDERS, ENVELOPES, HISTORIES, PROBES, READINGS, WAVES, of_case};
 use crate::simulation::CaseResult;
 use crate::study::CaseId;
-
-const HISTORIES: &str = "histories";
-const PROBES: &str = "probes";
-const READINGS: &str = "readings";
-const ENVELOPES: &str = "envelopes";
-const WAVES: &str = "waves";
-/// All folders, with that of histories first.
-pub(super) const FOLDERS: [&str; 5] = [HISTORIES, PROBES, READINGS, ENVELOPES, WAVES];
 
 /// The files of a case besides its journal line: their folders and texts.
 pub(super) fn texts(result: &CaseResult) -> Vec<(&'static str, String)> {
@@ -48,7 +41,7 @@ pub(super) fn write(
     let put = if durable { atomic_file::write } else { atomic_file::write_unsynced };
     let mut seals = Seals::new();
     for (name, text) in texts(result) {
-        let path = path(directory, name, id);
+        let path = of_case(directory, name, id);
         // The folder nearly always exists, so it is only made after a failure.
         if let Err(error) = put(&path, text.as_bytes()) {
             let folder = directory.join(name);
@@ -66,7 +59,7 @@ pub(super) fn write(
 /// The files of a case that have changed since they were written: their paths, and the faults.
 pub(super) fn damage(directory: &Path, id: CaseId, seals: &Seals) -> Vec<(PathBuf, &'static str)> {
     let look = |(name, seal): (&String, &Seal)| {
-        let path = path(directory, name, id);
+        let path = of_case(directory, name, id);
         seal.damage(&path).map(|what| (path, what))
     };
     let mut damage: Vec<_> = seals.iter().filter_map(look).collect();
@@ -92,23 +85,13 @@ pub(super) fn clean(directory: &Path) -> Result<(), SweepError> {
     // Those beside the journal may be of a report that is at work.
     let alone = (!Making::is_held(directory)).then(|| Making::hold(directory, || {}));
     let own = alone.iter().map(|_| directory.to_owned());
-    let folders = FOLDERS.iter().map(|name| directory.join(name));
+    let folders = CASE_FOLDERS.iter().map(|name| directory.join(name));
     atomic_file::clean(&own.chain(folders).collect::<Vec<_>>())
 }
 
 /// The path of a case's history.
 pub(super) fn history_path(directory: &Path, id: impl std::fmt::Display) -> PathBuf {
-    path(directory, HISTORIES, id)
-}
-
-/// The path of a case's file in a folder.
-pub(super) fn path(directory: &Path, folder: &str, id: impl std::fmt::Display) -> PathBuf {
-    directory.join(folder).join(file_name(id))
-}
-
-/// The name of a case's file in any folder.
-pub(super) fn file_name(id: impl std::fmt::Display) -> String {
-    format!("{id}.csv")
+    of_case(directory, HISTORIES, id)
 }
 
 /// The name in sentences of a file in a folder.

@@ -8,8 +8,9 @@ use serde::{Deserialize, Serialize};
 
 use super::checksum::checksum;
 use super::files;
+use super::round_trip;
 use super::seal::{Seal, Seals};
-use super::{manifest, round_trip};
+use crate::disk::names::MANIFEST;
 use crate::simulation::{CaseResult, EnergyBudget, NamedReading, Outcome, PhaseShare};
 use crate::study::CaseId;
 
@@ -67,7 +68,7 @@ impl Mark {
     /// The mark of a directory whose manifest has just been written; `None` if there is none.
     pub fn of(directory: &Path) -> Option<Mark> {
         let directory = std::path::absolute(directory).ok()?;
-        let manifest = fs::read(directory.join(manifest::FILE_NAME)).ok()?;
+        let manifest = fs::read(directory.join(MANIFEST)).ok()?;
         Some(Mark { directory, manifest: checksum(&manifest), system: running_system() })
     }
 
@@ -176,7 +177,7 @@ mod tests {
     fn only_the_same_directory_is_shared() {
         let root = tempfile::tempdir().unwrap();
         assert_eq!(Mark::of(root.path()), None, "without a manifest");
-        let manifest = root.path().join(manifest::FILE_NAME);
+        let manifest = root.path().join(MANIFEST);
         fs::write(&manifest, "one").unwrap();
         let mark = Mark::of(root.path()).unwrap();
         assert!(Filing::elsewhere(&mark).is_some_and(|filing| !filing.syncs));

@@ -18,9 +18,9 @@ use super::error::SweepError;
 use super::record::CaseRecord;
 use super::wanted::Wanted;
 use crate::disk;
+use crate::disk::names::JOURNAL;
 use crate::keys::named;
 
-pub(super) const FILE_NAME: &str = "journal.jsonl";
 /// Where damaged lines go.
 const DAMAGED: &str = "journal.damaged";
 
@@ -37,7 +37,7 @@ pub struct Journal {
 impl Journal {
     /// Starts a journal.
     pub fn create(directory: &Path, header: &Header) -> Result<Journal, SweepError> {
-        let path = directory.join(FILE_NAME);
+        let path = directory.join(JOURNAL);
         // Opened for appending: after a cut, writing at a fixed place would leave a hole.
         let file = disk::append(&path).map_err(SweepError::io(&path))?;
         let mut journal = Journal { path, file, length: 0, unsynced_since: None };
@@ -57,7 +57,7 @@ impl Journal {
         content: &Content<impl Sized>,
         header: &Header,
     ) -> Result<Journal, SweepError> {
-        let path = directory.join(FILE_NAME);
+        let path = directory.join(JOURNAL);
         if content.condition == Condition::Damaged {
             let text = std::fs::read(&path).map_err(SweepError::io(&path))?;
             let [whole, damaged] = entries::sorted(&text);
@@ -152,7 +152,7 @@ fn keep_damaged(directory: &Path, lines: &[u8]) -> Result<(), SweepError> {
 /// # Errors
 /// A file that cannot be read, or another program's.
 pub fn read_header(directory: &Path) -> Result<Option<Header>, SweepError> {
-    let path = directory.join(FILE_NAME);
+    let path = directory.join(JOURNAL);
     let file = File::open(&path).map_err(SweepError::io(&path))?;
     let mut line = Vec::new();
     BufReader::new(file).read_until(b'\n', &mut line).map_err(SweepError::io(&path))?;
@@ -168,7 +168,7 @@ pub fn read_in_blocks<R: Wanted>(
     directory: &Path,
     take: impl FnMut(Vec<R>),
 ) -> Result<Content<R>, SweepError> {
-    let path = directory.join(FILE_NAME);
+    let path = directory.join(JOURNAL);
     let file = File::open(&path).map_err(SweepError::io(&path))?;
     entries::parse_in_blocks(&path, BufReader::new(file), take)
 }
@@ -178,7 +178,7 @@ pub fn read_in_blocks<R: Wanted>(
 /// # Errors
 /// A file that cannot be read, or another program's.
 pub fn read_journal(directory: &Path) -> Result<Content, SweepError> {
-    let path = directory.join(FILE_NAME);
+    let path = directory.join(JOURNAL);
     let file = File::open(&path).map_err(SweepError::io(&path))?;
     entries::parse(&path, BufReader::new(file))
 }

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 use super::ended::Ended;
 use super::error::SweepError;
-use super::files::{self, FOLDERS};
 use super::seal::Seals;
+use crate::disk::names::{CASE_FOLDERS, of_case};
 use crate::keys::named;
 use crate::math::words::counted;
 use crate::study::CaseId;
@@ -21,7 +21,7 @@ pub(super) fn folders(seals: &Seals) -> Folders {
         let is_there = at == 0 || seals.contains_key(*folder);
         Folders::from(is_there) << at
     };
-    FOLDERS.iter().enumerate().map(bit).sum()
+    CASE_FOLDERS.iter().enumerate().map(bit).sum()
 }
 
 /// The same for all cases of a study, by index.
@@ -61,11 +61,11 @@ impl Left {
     /// # Errors
     /// A file was deleted or moved.
     pub fn demand(&self, directory: &Path) -> Result<(), SweepError> {
-        let lost = FOLDERS.iter().enumerate().flat_map(|(at, folder)| {
+        let lost = CASE_FOLDERS.iter().enumerate().flat_map(|(at, folder)| {
             let there = listed(&directory.join(folder));
             let of = self.0.iter().filter(move |(_, folders)| folders >> at & 1 == 1);
             let missing = of.filter(move |(id, _)| !there.contains(id));
-            missing.map(move |(id, _)| files::path(directory, folder, id))
+            missing.map(move |(id, _)| of_case(directory, folder, id))
         });
         // If the directory is on another machine, a list may be older than a file.
         let lost: Vec<PathBuf> = lost.filter(|path| !path.is_file()).collect();

@@ -14,9 +14,10 @@ use serde::{Deserialize, Serialize};
 
 use super::closing::Closing;
 use super::error::SweepError;
-use super::journal::{self, Journal};
+use super::journal::Journal;
 use super::unsynced::Unsynced;
 use super::{atomic_file, sealed};
+use crate::disk::names::JOURNAL;
 
 const FILE_NAME: &str = "looked.json";
 const VERSION: u32 = 1;
@@ -45,7 +46,7 @@ impl Looked {
     /// The note of a directory, if there is one that fits its journal.
     pub fn read(directory: &Path) -> Option<Looked> {
         let looked: Looked = sealed::read(&directory.join(FILE_NAME))?;
-        let journal = fs::metadata(directory.join(journal::FILE_NAME)).ok()?;
+        let journal = fs::metadata(directory.join(JOURNAL)).ok()?;
         let [_, number] = atomic_file::identity(&journal);
         let is_it = looked.journal == number;
         (looked.version == VERSION && is_it && looked.bytes <= journal.len()).then_some(looked)

@@ -8,11 +8,10 @@ use super::error::SweepError;
 use super::load::Load;
 use super::program::Program;
 use super::sealed;
+use crate::disk::names::MANIFEST;
 use crate::math::name::name_of;
 use crate::math::simd::SimdPath;
 use crate::study::{PHYSICS_VERSION, Study};
-
-pub(super) const FILE_NAME: &str = "manifest.json";
 
 /// Provenance of an output directory.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -161,7 +160,7 @@ impl Manifest {
     pub fn damage(directory: &Path) -> Option<&'static str> {
         /// Its start before it had a sum.
         const EARLIER: &[u8] = b"{\n  \"version\": \"";
-        let Ok(text) = std::fs::read(directory.join(FILE_NAME)) else { return Some("is missing") };
+        let Ok(text) = std::fs::read(directory.join(MANIFEST)) else { return Some("is missing") };
         let readable = Manifest::read(directory).is_some();
         let whole = readable && (sealed::is_whole(&text) || text.starts_with(EARLIER));
         (!whole).then_some("is damaged")
@@ -169,7 +168,7 @@ impl Manifest {
 
     /// Reads a directory's manifest; `None` if there is none that can be read.
     pub fn read(directory: &Path) -> Option<Manifest> {
-        let text = std::fs::read_to_string(directory.join(FILE_NAME)).ok()?;
+        let text = std::fs::read_to_string(directory.join(MANIFEST)).ok()?;
         serde_json::from_str(&text).ok()
     }
 
@@ -180,6 +179,6 @@ impl Manifest {
 
     /// Writes it.
     pub fn write(&self, directory: &Path) -> Result<(), SweepError> {
-        sealed::write(&directory.join(FILE_NAME), self)
+        sealed::write(&directory.join(MANIFEST), self)
     }
 }

@@ -9,8 +9,9 @@ use super::error::SweepError;
 use super::lock::{self, Lock};
 use super::manifest::Manifest;
 use super::other_sweep::difference;
-use super::{atomic_file, files, journal};
+use super::{atomic_file, files};
 use crate::disk;
+use crate::disk::names::JOURNAL;
 use crate::math::name::name_of;
 use crate::math::simd::SimdPath;
 use crate::math::words::counted;
@@ -51,7 +52,7 @@ pub(super) fn look(path: &Path) -> Result<Found, SweepError> {
     if !path.exists() {
         return Ok(Found::Nothing);
     }
-    let journal = path.join(journal::FILE_NAME);
+    let journal = path.join(JOURNAL);
     if journal.is_file() {
         let created = fs::metadata(&journal).and_then(|file| file.created()).ok();
         let directory = fs::metadata(path).map_err(|error| SweepError::unusable(path, &error))?;

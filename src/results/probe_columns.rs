@@ -7,10 +7,9 @@ use super::error::SweepError;
 use super::record::CaseRecord;
 use super::{atomic_file, case_tables};
 use crate::disk;
+use crate::disk::names::PROBE_COLUMNS;
 use crate::simulation::probe_columns;
 use crate::study::{Case, Study};
-
-pub(super) const FILE_NAME: &str = "probes/columns.csv";
 
 /// The whole file; `None` if no case has probes. It is the same for all cases of a sweep, except
 /// that only some walls may have a crest. Then the file has the columns of those with a crest.
@@ -47,14 +46,14 @@ pub(super) fn put(directory: &Path, text: &str) -> Result<(), SweepError> {
     if is_written(directory, text) {
         return Ok(());
     }
-    let path = directory.join(FILE_NAME);
+    let path = directory.join(PROBE_COLUMNS);
     let folder = path.parent().unwrap_or(directory);
     disk::create_folder(folder).map_err(SweepError::io(folder))?;
     atomic_file::write(&path, text.as_bytes())
 }
 
 fn is_written(directory: &Path, text: &str) -> bool {
-    fs::read(directory.join(FILE_NAME)).is_ok_and(|there| there == text.as_bytes())
+    fs::read(directory.join(PROBE_COLUMNS)).is_ok_and(|there| there == text.as_bytes())
 }
 
 #[cfg(test)]
@@ -76,9 +75,9 @@ mod tests {
         assert!(!fits(root.path(), &study, &records));
         write(root.path(), &study, &records).unwrap();
         assert!(fits(root.path(), &study, &records));
-        let text = fs::read_to_string(root.path().join(FILE_NAME)).unwrap();
+        let text = fs::read_to_string(root.path().join(PROBE_COLUMNS)).unwrap();
         assert_eq!(text.lines().count(), 6, "{text}");
-        fs::write(root.path().join(FILE_NAME), "name,unit,method\n").unwrap();
+        fs::write(root.path().join(PROBE_COLUMNS), "name,unit,method\n").unwrap();
         assert!(!fits(root.path(), &study, &records));
     }
 }

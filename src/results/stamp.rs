@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 
 use rustix::fs::{AtFlags, Mode, OFlags, statat};
 
-use super::files::{self, FOLDERS};
 use super::left::{self, Folders};
 use super::seal::{Seal, Seals};
+use crate::disk::names::{CASE_FOLDERS, case_file, of_case};
 use crate::study::CaseId;
 
 /// The files of a case in a few bytes, because there may be a million cases.
@@ -26,7 +26,7 @@ impl CaseFiles {
     pub(super) fn of(id: CaseId, seals: &Seals) -> CaseFiles {
         let mut sum = id.number();
         for (folder, seal) in seals {
-            let place = FOLDERS.iter().position(|name| name == folder);
+            let place = CASE_FOLDERS.iter().position(|name| name == folder);
             sum = mixed(sum, place.map_or(u64::MAX, |place| place as u64));
             sum = mixed(sum, seal.bytes());
             if let Seal::Whole { sum: digits, .. } = seal {
@@ -39,13 +39,13 @@ impl CaseFiles {
 
     /// Their paths.
     pub(super) fn paths(self, directory: &Path) -> impl Iterator<Item = PathBuf> {
-        self.there().map(move |at| files::path(directory, FOLDERS[at], self.id))
+        self.there().map(move |at| of_case(directory, CASE_FOLDERS[at], self.id))
     }
 
     /// A sum over the system's data on them. It changes if any of them was changed or replaced.
     /// `None` if one is missing, or their length has changed.
     pub(super) fn stamp(self, folders: &OpenFolders) -> Option<u64> {
-        let (name, mut sum, mut bytes) = (files::file_name(self.id), self.seals, 0);
+        let (name, mut sum, mut bytes) = (case_file(self.id), self.seals, 0);
         for folder in self.there().map(|at| &folders.0[at]) {
             let file = statat(folder.as_ref()?, &name, AtFlags::empty()).ok()?;
             bytes += file.st_size as u64;
@@ -57,13 +57,13 @@ impl CaseFiles {
 
     /// Indices of their folders.
     fn there(self) -> impl Iterator<Item = usize> {
-        (0..FOLDERS.len()).filter(move |at| self.folders >> at & 1 == 1)
+        (0..CASE_FOLDERS.len()).filter(move |at| self.folders >> at & 1 == 1)
     }
 }
 
 /// The existing folders of a study's files, open. Looking up a file from the root would take a
 /// fifth longer.
-pub(super) struct OpenFolders([Option<OwnedFd>; FOLDERS.len()]);
+pub(super) struct OpenFolders([Option<OwnedFd>; CASE_FOLDERS.len()]);
 
 impl OpenFolders {
     /// Those of a directory.
@@ -71,7 +71,7 @@ impl OpenFolders {
         // A pipe in a folder's place must not block.
         let flags = OFlags::DIRECTORY | OFlags::CLOEXEC;
         let open = |name| rustix::fs::open(directory.join(name), flags, Mode::empty()).ok();
-        OpenFolders(FOLDERS.map(open))
+        OpenFolders(CASE_FOLDERS.map(open))
     }
 }
 

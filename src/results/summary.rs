@@ -7,6 +7,7 @@ use super::error::SweepError;
 use super::record::CaseRecord;
 use super::{atomic_file, number, rows};
 use crate::disk::Writer;
+use crate::disk::names::SUMMARY;
 use crate::quantities::{self, Bars, Value, summary};
 use crate::scene::CaseConfig;
 use crate::study::{Case, Study};
@@ -34,7 +35,7 @@ pub(super) fn write(
     study: &Study,
     records: &[Option<CaseRecord>],
 ) -> Result<(), SweepError> {
-    let path = directory.join("summary.csv");
+    let path = directory.join(SUMMARY);
     atomic_file::write_with(&path, |file| {
         let wrong = |error: csv::Error| SweepError::io(&path)(error.into());
         write_table(Writer(file), study, records).map_err(wrong)

@@ -10,6 +10,7 @@ use super::making::Making;
 use super::manifest::Manifest;
 use super::record::CaseRecord;
 use super::{energy, probe_columns, summary};
+use crate::disk::names::{ENERGY, PROBE_COLUMNS, SUMMARY};
 use crate::study::Study;
 
 /// A table that is made from journal and study alone.
@@ -88,8 +89,8 @@ impl Table {
     pub(super) fn name(self) -> &'static str {
         match self {
             Table::Summary => SUMMARY,
-            Table::Energy => energy::FILE_NAME,
-            Table::ProbeColumns => probe_columns::FILE_NAME,
+            Table::Energy => ENERGY,
+            Table::ProbeColumns => PROBE_COLUMNS,
         }
     }
 
@@ -152,7 +153,6 @@ impl Table {
     }
 }
 
-const SUMMARY: &str = "summary.csv";
 /// Bytes read at once.
 const BUFFER: usize = 1 << 20;
 

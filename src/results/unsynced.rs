@@ -6,9 +6,9 @@ use std::sync::Arc;
 
 use super::atomic_file;
 use super::error::SweepError;
-use super::files::FOLDERS;
 use super::stamp::{CaseFiles, OpenFolders};
 use crate::disk;
+use crate::disk::names::CASE_FOLDERS;
 
 /// From this many files on, they go to the disk together with all other waiting data. One by one
 /// takes seven times as long.
@@ -63,7 +63,7 @@ impl Unsynced {
         let left_out = if self.found > MOST_FOUND { self.found } else { 0 };
         let mut paths = self.cases[left_out..].iter().flat_map(|files| files.paths(directory));
         paths.try_for_each(|path| atomic_file::sync(&path))?;
-        let folders = FOLDERS.map(|name| directory.join(name));
+        let folders = CASE_FOLDERS.map(|name| directory.join(name));
         folders.iter().filter(|path| path.is_dir()).try_for_each(|path| atomic_file::sync(path))?;
         Ok(left_out == 0)
     }

@@ -4,6 +4,7 @@ use std::time::Duration;
 use super::super::trial::{run, study};
 use super::super::waiting;
 use super::*;
+use crate::disk::names::JOURNAL;
 
 fn open(path: &Path, study: &Study, mode: OpenMode) -> Result<(Directory, Opened), SweepError> {
     Directory::open(path, study, mode, None, SimdPath::Avx2)
@@ -78,10 +79,10 @@ fn another_sweeps_directory_is_refused_untouched() {
     let root = tempfile::tempdir().unwrap();
     let path = root.path().join("run");
     open(&path, &study("0.1, 0.2"), OpenMode::Resume).unwrap();
-    let before = fs::read(path.join(journal::FILE_NAME)).unwrap();
+    let before = fs::read(path.join(JOURNAL)).unwrap();
     let error = open(&path, &study("0.1, 0.3"), OpenMode::Resume).unwrap_err();
     assert!(error.to_string().contains("holds another sweep"), "{error}");
-    assert_eq!(fs::read(path.join(journal::FILE_NAME)).unwrap(), before);
+    assert_eq!(fs::read(path.join(JOURNAL)).unwrap(), before);
     let (_directory, opened) = open(&path, &study("0.1, 0.3"), OpenMode::Fresh).unwrap();
     assert_eq!(opened, Opened::Moved(root.path().join("run.old-1")));
 }
@@ -120,7 +121,7 @@ fn a_link_still_leads_to_the_disk_it_led_to() {
     let (_directory, opened) = open(&link, &study("0.1, 0.2"), OpenMode::Fresh).unwrap();
     let disk = fs::canonicalize(disk).unwrap();
     assert_eq!(opened, Opened::Moved(disk.join("run.old-1")));
-    assert!(link.is_symlink() && disk.join("run").join(journal::FILE_NAME).is_file());
+    assert!(link.is_symlink() && disk.join("run").join(JOURNAL).is_file());
 }
 
 #[test]

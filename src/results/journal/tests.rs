@@ -33,7 +33,7 @@ fn a_journal_round_trips_every_bit() {
 fn a_torn_tail_is_cut_wherever_it_tore() {
     let directory = tempfile::tempdir().unwrap();
     let (header, records) = filled(directory.path());
-    let path = directory.path().join(FILE_NAME);
+    let path = directory.path().join(JOURNAL);
     let bytes = std::fs::read(&path).unwrap();
     let ends: Vec<_> = (1..=bytes.len()).filter(|&end| bytes[end - 1] == b'\n').collect();
     let near_an_end = |length: &usize| ends.iter().any(|end| end.abs_diff(*length) <= 2);
@@ -52,7 +52,7 @@ fn a_torn_tail_is_cut_wherever_it_tore() {
 fn a_flipped_bit_costs_its_record_alone() {
     let directory = tempfile::tempdir().unwrap();
     let (header, records) = filled(directory.path());
-    let path = directory.path().join(FILE_NAME);
+    let path = directory.path().join(JOURNAL);
     let bytes = std::fs::read(&path).unwrap();
     let breaks: Vec<_> = (0..bytes.len()).filter(|&at| bytes[at] == b'\n').collect();
     let near_a_break = |at: &usize| breaks.iter().any(|other| other.abs_diff(*at) <= 1);
@@ -77,7 +77,7 @@ fn a_flipped_bit_costs_its_record_alone() {
 fn a_whole_line_of_another_version_is_never_cut_off() {
     let directory = tempfile::tempdir().unwrap();
     filled(directory.path());
-    let path = directory.path().join(FILE_NAME);
+    let path = directory.path().join(JOURNAL);
     let mut bytes = std::fs::read(&path).unwrap();
     let entry = br#"{"tide":{"level_m":0.2}}"#;
     let sum = super::super::checksum::checksum(entry);
@@ -97,7 +97,7 @@ fn a_journal_that_is_moved_is_missed() {
     let (header, _) = filled(directory.path());
     let (journal, _) = resume(directory.path(), &header);
     journal.demand_in_place().unwrap();
-    let path = directory.path().join(FILE_NAME);
+    let path = directory.path().join(JOURNAL);
     std::fs::rename(&path, directory.path().join("elsewhere")).unwrap();
     assert!(journal.demand_in_place().is_err());
     std::fs::copy(directory.path().join("elsewhere"), &path).unwrap();

@@ -97,7 +97,7 @@ fn all_is_read_where_anything_differs() {
         sealed::write(&desk.path().join(FILE_NAME), &note).unwrap();
     }
     fn journal(desk: &Desk) -> (PathBuf, Vec<u8>) {
-        let path = desk.path().join(journal::FILE_NAME);
+        let path = desk.path().join(JOURNAL);
         let text = fs::read(&path).unwrap();
         (path, text)
     }
@@ -120,7 +120,7 @@ fn all_is_read_where_anything_differs() {
         ("a file is replaced", 3, |desk| replace(&desk.history(2))),
         ("a file is missing", 2, |desk| fs::remove_file(desk.history(2)).unwrap()),
         ("a file is longer", 2, |desk| fs::write(desk.history(2), [b'1'; 5000]).unwrap()),
-        ("another journal", 3, |desk| replace(&desk.path().join(journal::FILE_NAME))),
+        ("another journal", 3, |desk| replace(&desk.path().join(JOURNAL))),
         ("a shorter journal", 2, cut),
         ("a damaged line", 2, break_line),
         ("a damaged note", 3, |desk| flip(&desk.path().join(FILE_NAME))),
@@ -156,7 +156,7 @@ fn a_copied_directory_is_read() {
 #[test]
 fn a_torn_line_is_cut_off_and_leaves_the_note_its_worth() {
     let desk = Desk::noted();
-    let path = desk.path().join(journal::FILE_NAME);
+    let path = desk.path().join(JOURNAL);
     let whole = fs::read(&path).unwrap();
     fs::write(&path, [&whole[..], &whole[whole.len() - 400..whole.len() - 100]].concat()).unwrap();
     assert_eq!(desk.opened(&desk.path()), (4, String::new()));

@@ -2,12 +2,13 @@
 
 use std::path::Path;
 
+use crate::disk::names::MAX_ERROR;
 use crate::math::words::counted;
 use crate::report::load::Loaded;
 
 /// How many cases have force and displacement within the wanted error; `None` without such an aim.
 pub fn met(data: &Loaded) -> Option<String> {
-    read(&data.directory.join("max_error.csv"))
+    read(&data.directory.join(MAX_ERROR))
 }
 
 fn read(path: &Path) -> Option<String> {

@@ -1,0 +1,44 @@
+//! The names of what an output directory holds, as far as more than one module knows of it.
+
+use std::path::{Path, PathBuf};
+
+/// The truth: a line for each case that has ended.
+pub(crate) const JOURNAL: &str = "journal.jsonl";
+/// Where the results come from.
+pub(crate) const MANIFEST: &str = "manifest.json";
+pub(crate) const SUMMARY: &str = "summary.csv";
+pub(crate) const ENERGY: &str = "energy.csv";
+pub(crate) const ALL_HISTORIES: &str = "histories.csv.gz";
+/// The numerics that `--max-error` chose.
+pub(crate) const MAX_ERROR: &str = "max_error.csv";
+/// The table of `seawall accuracy`.
+pub(crate) const ACCURACY: &str = "accuracy.csv";
+pub(crate) const PAGE: &str = "report.html";
+
+pub(crate) const HISTORIES: &str = "histories";
+pub(crate) const PROBES: &str = "probes";
+pub(crate) const READINGS: &str = "readings";
+pub(crate) const ENVELOPES: &str = "envelopes";
+pub(crate) const WAVES: &str = "waves";
+/// The folders with a table for each case, that of histories first.
+pub(crate) const CASE_FOLDERS: [&str; 5] = [HISTORIES, PROBES, READINGS, ENVELOPES, WAVES];
+/// What the columns of probes are.
+pub(crate) const PROBE_COLUMNS: &str = "probes/columns.csv";
+
+pub(crate) const FIGURES: &str = "figures";
+pub(crate) const TABLES: &str = "tables";
+pub(crate) const FILMS: &str = "films";
+/// Films for ParaView.
+pub(crate) const VTK: &str = "vtk";
+/// Why cases were filmed.
+pub(crate) const REASONS: &str = "films/reasons.csv";
+
+/// The path of a case's table in one of its folders.
+pub(crate) fn of_case(directory: &Path, folder: &str, id: impl std::fmt::Display) -> PathBuf {
+    directory.join(folder).join(case_file(id))
+}
+
+/// The name of a case's table in any folder.
+pub(crate) fn case_file(id: impl std::fmt::Display) -> String {
+    format!("{id}.csv")
+}
