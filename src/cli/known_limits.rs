@@ -1,42 +1,29 @@
 //! Known limits that the cases of a study reach: told by `check`, `run` and `sweep`.
 
-use std::collections::BTreeMap;
-
-use rayon::prelude::*;
-
 use super::output::Output;
-use crate::math::lists::counts;
+use crate::math::tally::Tally;
 use crate::math::words::counted;
 use crate::scene::limits;
-use crate::study::Study;
-
-/// How many cases are looked at in one go.
-pub(super) const CHUNK: usize = 4096;
+use crate::study::{Case, Study};
 
 /// The limits, with the number of cases that reach each.
-pub(super) struct KnownLimits(BTreeMap<&'static str, usize>);
+pub(super) struct KnownLimits(Tally<&'static str, ()>);
 
 impl KnownLimits {
     pub(super) fn of(study: &Study) -> KnownLimits {
-        let chunks = study.cases.par_chunks(CHUNK);
-        let chunks = chunks.map(|cases| counts(cases.iter().flat_map(|case| limits(&case.config))));
-        KnownLimits(chunks.reduce(BTreeMap::new, |mut all, more| {
-            more.into_iter().for_each(|(limit, cases)| *all.entry(limit).or_default() += cases);
-            all
-        }))
+        let of_case = |case: &Case| limits(&case.config).into_iter().map(|limit| (limit, ()));
+        KnownLimits(Tally::of(&study.cases, |case| of_case(case).collect()))
     }
 
     /// What each says.
     pub(super) fn texts(&self) -> impl Iterator<Item = &str> {
-        self.0.keys().copied()
+        self.0.keys().map(|(limit, _)| *limit)
     }
 
     /// A line for each, with the number of cases.
     pub(super) fn lines(&self) -> impl Iterator<Item = String> {
-        let line = |(limit, &cases): (&&str, &usize)| {
-            format!("known limit, {}: {limit}", counted(cases, "case"))
-        };
-        self.0.iter().map(line)
+        let line = |(limit, cases)| format!("known limit, {}: {limit}", counted(cases, "case"));
+        self.0.keys().map(line)
     }
 
     /// Prints them as notes.

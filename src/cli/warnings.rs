@@ -6,13 +6,14 @@ use std::path::Path;
 use rayon::prelude::*;
 
 use super::cost::time_of_all;
-use super::known_limits::{CHUNK, KnownLimits};
+use super::known_limits::KnownLimits;
 use super::output::{Output, duration};
 use crate::execute::available_cores;
 use crate::keys::named;
 use crate::math::decimal::significant;
+use crate::math::tally::Tally;
 use crate::math::words::counted;
-use crate::scene::{OddTally, SeawallScene};
+use crate::scene::{SeawallScene, odd_by_key};
 use crate::simulation::{Cost, Limits, cost};
 use crate::study::{Case, Study};
 
@@ -27,18 +28,9 @@ pub(super) fn tell(file: &Path, study: &Study, output: &Output) {
     KnownLimits::of(study).tell(output);
 }
 
-/// The odd values of some cases.
-fn odd(cases: &[Case]) -> OddTally {
-    let mut odd = OddTally::default();
-    cases.iter().for_each(|case| odd.add(&case.config));
-    odd
-}
-
 /// The odd values of a study, a line per key, and its cost if high. `time` is from [`time_of_all`].
 pub(super) fn warnings(study: &Study, time: (f64, usize)) -> Vec<String> {
-    let chunks: Vec<_> = study.cases.par_chunks(CHUNK).map(odd).collect();
-    let mut odd = OddTally::default();
-    chunks.into_iter().for_each(|chunk| odd.append(chunk));
+    let odd = Tally::of(&study.cases, |case| odd_by_key(&case.config));
     let odd = odd.lines(|cases| format!(" (in {})", counted(cases, "case"))).into_iter();
     let odd = odd.chain(unaimed(study)).chain(without_bars(study));
     odd.chain(unbarred(study)).chain(long(study, time)).chain(limited(study)).collect()

@@ -1,5 +1,5 @@
 //! SIMD lanes, sparse systems, threads that share the work of one case, scales and curves through points,
-//! lists, words, roots, comma-separated text, checksums, large pages.
+//! lists, tallies, words, roots, comma-separated text, checksums, large pages.
 
 pub mod bend;
 pub mod comma;
@@ -13,5 +13,6 @@ pub mod root;
 pub mod scale;
 pub mod simd;
 pub mod sparse;
+pub mod tally;
 pub mod team;
 pub mod words;

@@ -12,9 +12,10 @@ use super::load::Loaded;
 use super::study::StudyFile;
 use crate::body::Stroke;
 use crate::keys::{Section, number, value_of};
+use crate::math::tally::Tally;
 use crate::quantities::Column;
 use crate::quantities::summary::{BOUNDARY, KERNEL, PARTICLE_SPACING, SCHEME};
-use crate::scene::{CaseConfig, OddTally};
+use crate::scene::{CaseConfig, odd_by_key};
 
 /// All values of one case, with those that the program chose.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -65,16 +66,12 @@ pub fn each_config(
 /// record are left out: their file may be out of reach.
 pub fn oddities(data: &Loaded, rows: impl Iterator<Item = usize>) -> Vec<String> {
     let Some(file) = data.file() else { return Vec::new() };
-    let mut odd = OddTally::default();
-    for row in rows {
-        let Some([scene, numerics]) = file.of_row(&data.keys, row, &file.numerics) else {
-            continue;
-        };
-        let case = CaseConfig::with_probes(&scene, &numerics, &file.probes);
-        let Some(case) = case.ok().filter(|_| !scene.contains_key(STROKE)) else { continue };
-        odd.add(&case);
-    }
-    odd.lines(|_| " (in some cases)".to_owned())
+    let odd = |row| {
+        let [scene, numerics] = file.of_row(&data.keys, row, &file.numerics)?;
+        let case = CaseConfig::with_probes(&scene, &numerics, &file.probes).ok()?;
+        (!scene.contains_key(STROKE)).then(|| odd_by_key(&case))
+    };
+    Tally::counted(rows.filter_map(odd)).lines(|_| " (in some cases)".to_owned())
 }
 
 /// The key of a recorded stroke, whose value here is its path. A long record in every case would

@@ -49,8 +49,13 @@ pub fn odd_values(config: &CaseConfig) -> Vec<ConfigError> {
     odd
 }
 
-fn warning(key: &str, value: f64, told: String) -> Option<ConfigError> {
-    Some(ConfigError::new(&format!("scene.{key}"), value, told))
+/// The same, each behind its key.
+pub fn odd_by_key(config: &CaseConfig) -> Vec<(String, ConfigError)> {
+    odd_values(config).into_iter().map(|odd| (odd.key.clone(), odd)).collect()
+}
+
+fn warning(key: &str, value: f64, told: String) -> ConfigError {
+    ConfigError::new(&format!("scene.{key}"), value, told)
 }
 
 fn tank(scene: &SeawallScene) -> Option<ConfigError> {
@@ -63,7 +68,7 @@ fn tank(scene: &SeawallScene) -> Option<ConfigError> {
          {SHORTEST_TANK} or more",
         scene.tank_length_m
     );
-    warning("still_water_depth_m", scene.still_water_depth_m, told)
+    Some(warning("still_water_depth_m", scene.still_water_depth_m, told))
 }
 
 fn density(config: &CaseConfig) -> Option<ConfigError> {
@@ -74,7 +79,7 @@ fn density(config: &CaseConfig) -> Option<ConfigError> {
         )
     };
     let usual = (low..=high).contains(&density);
-    (!usual).then(|| warning("water_density_kg_per_m3", density, told())).flatten()
+    (!usual).then(|| warning("water_density_kg_per_m3", density, told()))
 }
 
 fn threshold(scene: &SeawallScene) -> Option<ConfigError> {
@@ -82,7 +87,7 @@ fn threshold(scene: &SeawallScene) -> Option<ConfigError> {
     let gives_way = wall.moves() && wall.has_threshold() && scene.threshold_ratio < 1.0;
     let told = "still water alone presses with 1 and moves the wall from the first step; 1 or above \
                 lets it stand until the wave comes";
-    gives_way.then(|| warning("threshold_ratio", scene.threshold_ratio, told.to_owned())).flatten()
+    gives_way.then(|| warning("threshold_ratio", scene.threshold_ratio, told.to_owned()))
 }
 
 fn steep(scene: &SeawallScene) -> Option<ConfigError> {
@@ -96,7 +101,7 @@ fn steep(scene: &SeawallScene) -> Option<ConfigError> {
             scene.wave_height_ratio
         )
     };
-    (steep > most).then(|| warning("wave_period_s", period, told())).flatten()
+    (steep > most).then(|| warning("wave_period_s", period, told()))
 }
 
 fn end(config: &CaseConfig) -> Option<ConfigError> {
@@ -104,9 +109,7 @@ fn end(config: &CaseConfig) -> Option<ConfigError> {
     let (end, step) = (frame.end_time, frame.time_step(&config.numerics));
     let told =
         || format!("the case ends before its second step of {step:.1e} s: nothing will happen");
-    (end - config.scene.start_s() < FEWEST_STEPS * step)
-        .then(|| warning("end_time_s", end, told()))
-        .flatten()
+    (end - config.scene.start_s() < FEWEST_STEPS * step).then(|| warning("end_time_s", end, told()))
 }
 
 /// The run ends early, because the wall goes too far.
@@ -118,7 +121,7 @@ fn loose(scene: &SeawallScene) -> Option<ConfigError> {
          {FARTHEST_WALL} h"
         )
     };
-    (way > FARTHEST_WALL).then(|| warning("spring_stiffness_n_per_m", stiffness, told())).flatten()
+    (way > FARTHEST_WALL).then(|| warning("spring_stiffness_n_per_m", stiffness, told()))
 }
 
 /// Nearer to the paddle than a support radius the level is that at its face. Where the paddle has
@@ -133,9 +136,7 @@ fn gauge(scene: &SeawallScene, numerics: &Numerics) -> Option<ConfigError> {
             rounded_up(least, DIGITS)
         )
     };
-    (scene.wave_gauge_m < least)
-        .then(|| warning("wave_gauge_m", scene.wave_gauge_m, told()))
-        .flatten()
+    (scene.wave_gauge_m < least).then(|| warning("wave_gauge_m", scene.wave_gauge_m, told()))
 }
 
 /// A solitary wave is H sech² κx, and an upright wall reflects it. When its crest passes the gauge,
@@ -153,7 +154,6 @@ fn meets(scene: &SeawallScene) -> Option<ConfigError> {
     };
     (scene.is_upright_over_level_bed() && more > MOST_ADDED)
         .then(|| warning("wave_gauge_m", scene.wave_gauge_m, told()))
-        .flatten()
 }
 
 /// On a dry beach a gauge measures from the bed.
@@ -166,7 +166,6 @@ fn aground(scene: &SeawallScene) -> Option<ConfigError> {
     };
     (height >= scene.still_water_depth_m)
         .then(|| warning("wave_gauge_m", scene.wave_gauge_m, told()))
-        .flatten()
 }
 
 fn interval(config: &CaseConfig) -> Option<ConfigError> {
@@ -178,7 +177,7 @@ fn interval(config: &CaseConfig) -> Option<ConfigError> {
             "is as long as the run, {:.3} s, or longer: the history has no line between its start and its end",
             run
         );
-        return warning("history_interval_s", interval, told);
+        return Some(warning("history_interval_s", interval, told));
     }
     let told = || {
         format!(
@@ -190,7 +189,6 @@ fn interval(config: &CaseConfig) -> Option<ConfigError> {
     let samples = matches!(config.scene, Scene::Seawall(_) | Scene::Hydrostatic(_));
     (samples && interval < SHARE_OF_STEP * step)
         .then(|| warning("history_interval_s", interval, told()))
-        .flatten()
 }
 
 #[cfg(test)]
