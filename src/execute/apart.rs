@@ -10,6 +10,7 @@ use std::time::{Duration, Instant};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
+use super::gauge::Limited;
 use super::keeping::Keeping;
 use super::memory::kilobytes;
 use super::message::Posted;
@@ -173,18 +174,6 @@ fn talk(child: &mut Child, task: &[u8], monitor: &dyn Monitor) -> std::io::Resul
 fn peak_bytes(process: u32) -> Option<u64> {
     let text = std::fs::read_to_string(format!("/proc/{process}/status")).ok()?;
     kilobytes(&text, "VmHWM:")
-}
-
-/// Checks a child's limits from within.
-struct Limited {
-    limits: Limits,
-    since: Instant,
-}
-
-impl Monitor for Limited {
-    fn over_limit(&self, steps: u64) -> Option<String> {
-        self.limits.on_steps(steps).or_else(|| self.limits.on_time(self.since.elapsed()))
-    }
 }
 
 fn read_all(pipe: Option<impl Read>) -> Vec<u8> {

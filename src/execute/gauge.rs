@@ -26,7 +26,8 @@ impl Gauges {
         let way = Way::of(config);
         let share = Arc::new(AtomicU64::new(0));
         self.lock().insert(work, share.clone());
-        Gauge { gauges: self, cancel, work, way, share, limits, since: Instant::now() }
+        let limited = Limited { limits, since: Instant::now() };
+        Gauge { gauges: self, cancel, work, way, share, limited }
     }
 
     /// The present work, with its progress.
@@ -66,8 +67,19 @@ pub(super) struct Gauge<'a> {
     work: Work,
     way: Way,
     share: Arc<AtomicU64>,
-    limits: Limits,
-    since: Instant,
+    limited: Limited,
+}
+
+/// Checks limits on time and steps, and does so in a child, too.
+pub(super) struct Limited {
+    pub(super) limits: Limits,
+    pub(super) since: Instant,
+}
+
+impl Monitor for Limited {
+    fn over_limit(&self, steps: u64) -> Option<String> {
+        self.limits.on_steps(steps).or_else(|| self.limits.on_time(self.since.elapsed()))
+    }
 }
 
 impl Monitor for Gauge<'_> {
@@ -76,11 +88,11 @@ impl Monitor for Gauge<'_> {
     }
 
     fn over_limit(&self, steps: u64) -> Option<String> {
-        self.limits.on_steps(steps).or_else(|| self.limits.on_time(self.since.elapsed()))
+        self.limited.over_limit(steps)
     }
 
     fn limits(&self) -> Limits {
-        self.limits
+        self.limited.limits
     }
 
     fn reached(&self, time_s: f64) {

@@ -18,9 +18,9 @@ use crate::schedule::{Held, Work};
 use crate::simulation::{Failure, FailureKind, Limits, Stopped, TrunkResult, cost};
 use crate::study::CaseId;
 
-/// A case to run.
+/// A trunk or a case to run.
 struct Task {
-    case: usize,
+    work: Work,
     config: Posted,
     /// Whether to run in a process of its own.
     apart: bool,
@@ -90,14 +90,11 @@ impl Worker<'_, '_> {
     /// [`Worker::arrive`].
     pub(super) fn take(&mut self, order: Order) -> Option<Held> {
         match order {
-            Order::Run { work: Work::Trunk(trunk), config, apart, limits, .. } => {
-                self.start_trunk(trunk, config, apart, limits);
-            }
-            Order::Run { work: Work::Case(case), config, from, apart, limits, files } => {
-                let task = Task { case, config, apart, limits, files };
+            Order::Run { work, config, from, apart, limits, files } => {
+                let task = Task { work, config, apart, limits, files };
                 match from {
                     Some(from) => return self.start_branch(task, from),
-                    None => self.start_case(task, None),
+                    None => self.start(task, None),
                 }
             }
             Order::Drop { trunk } => {
@@ -121,7 +118,7 @@ impl Worker<'_, '_> {
             self.checkpoints.insert(trunk, bytes.clone());
         }
         for parked in self.parked.remove(&trunk).unwrap_or_default() {
-            self.start_case(parked, bytes.clone());
+            self.start(parked, bytes.clone());
         }
     }
 
@@ -146,12 +143,12 @@ impl Worker<'_, '_> {
 
     fn start_branch(&mut self, task: Task, from: Held) -> Option<Held> {
         if let Some(bytes) = self.checkpoint(from.trunk) {
-            self.start_case(task, Some(bytes));
+            self.start(task, Some(bytes));
             return None;
         }
         // A checkpoint on its way to this rank counts as here.
         if from.holder == self.rank && !self.parked.contains_key(&from.trunk) {
-            self.start_case(task, None);
+            self.start(task, None);
             return None;
         }
         let waiting = self.parked.entry(from.trunk).or_default();
@@ -159,59 +156,61 @@ impl Worker<'_, '_> {
         (waiting.len() == 1).then_some(from)
     }
 
-    fn start_trunk(&self, trunk: usize, config: Posted, apart: bool, limits: Limits) {
-        let (runner, cancel, sender) = (self.runner, self.cancel, self.sender.clone());
-        let gauges = self.gauges;
-        self.scope.spawn(move |_| {
-            let child = runner.apart().filter(|_| apart || limits.memory_mib.is_some());
-            let (runner, start) = (child.as_deref().unwrap_or(runner), Instant::now());
-            let result = attempt(cancel, config, limits, |config| {
-                let gauge = gauges.watch(cancel, Work::Trunk(trunk), config, limits);
-                runner.trunk(config, &gauge)
-            });
-            let (result, checkpoint) = match result {
-                Ok(TrunkResult { steps, checkpoint, time_s }) => {
-                    (Ok(Reached { steps, time_s }), Some(checkpoint))
-                }
-                Err(stopped) => (Err(stopped), None),
-            };
-            // The receiver is gone only if nobody waits for results any more.
-            let wall_time_s = start.elapsed().as_secs_f64();
-            let _ = sender.send((Report::TrunkDone { trunk, result, wall_time_s }, checkpoint));
-        });
-    }
-
-    fn start_case(&self, task: Task, checkpoint: Option<Arc<[u8]>>) {
+    fn start(&self, task: Task, checkpoint: Option<Arc<[u8]>>) {
         let (runner, cancel, sender) = (self.runner, self.cancel, self.sender.clone());
         let (gauges, filing) = (self.gauges, self.filing);
         self.scope.spawn(move |_| {
-            let Task { case, config, apart, limits, files } = task;
-            // The memory of a case is only known in a process of its own.
+            let Task { work, config, apart, limits, files } = task;
+            // The memory of a piece of work is only known in a process of its own.
             let child = runner.apart().filter(|_| apart || limits.memory_mib.is_some());
             let runner = child.as_deref().unwrap_or(runner);
             let (start, cpu_start) = (Instant::now(), thread_processor_time());
-            let result = attempt(cancel, config, limits, |config| {
-                let run = |checkpoint: Option<&[u8]>| {
-                    let gauge = gauges.watch(cancel, Work::Case(case), config, limits);
-                    runner.case(config, checkpoint, &gauge)
-                };
-                match (run(checkpoint.as_deref()), &checkpoint) {
-                    (Err(Stopped::Failed(failure)), Some(_))
-                        if failure.kind == FailureKind::CheckpointUnreadable =>
-                    {
-                        run(None)
-                    }
-                    (result, _) => result,
+            let watch = |config: &CaseConfig| gauges.watch(cancel, work, config, limits);
+            let ended = match work {
+                Work::Trunk(trunk) => {
+                    let run = |config: &CaseConfig| runner.trunk(config, &watch(config));
+                    let (result, checkpoint) = match attempt(cancel, config, limits, run) {
+                        Ok(TrunkResult { steps, checkpoint, time_s }) => {
+                            (Ok(Reached { steps, time_s }), Some(checkpoint))
+                        }
+                        Err(stopped) => (Err(stopped), None),
+                    };
+                    let wall_time_s = start.elapsed().as_secs_f64();
+                    (Report::TrunkDone { trunk, result, wall_time_s }, checkpoint)
                 }
-            });
-            let cpu_time_s = thread_processor_time().zip(cpu_start).map(|(end, start)| end - start);
-            let wall_time_s = start.elapsed().as_secs_f64();
-            let result = result.map(|result| match filing {
-                Some(filing) => filing.deliver(files, result),
-                None => Delivery::Whole(Box::new(result)),
-            });
-            let _ = sender.send((Report::CaseDone { case, result, wall_time_s, cpu_time_s }, None));
+                Work::Case(case) => {
+                    let from = checkpoint.as_deref();
+                    let result = attempt(cancel, config, limits, |config| {
+                        from_checkpoint(from, |from| runner.case(config, from, &watch(config)))
+                    });
+                    let cpu_time_s =
+                        thread_processor_time().zip(cpu_start).map(|(end, start)| end - start);
+                    let wall_time_s = start.elapsed().as_secs_f64();
+                    let result = result.map(|result| match filing {
+                        Some(filing) => filing.deliver(files, result),
+                        None => Delivery::Whole(Box::new(result)),
+                    });
+                    (Report::CaseDone { case, result, wall_time_s, cpu_time_s }, None)
+                }
+            };
+            // The receiver is gone only if nobody waits for results any more.
+            let _ = sender.send(ended);
         });
+    }
+}
+
+/// Runs a case from a checkpoint, or from rest if that cannot be read.
+fn from_checkpoint<T>(
+    checkpoint: Option<&[u8]>,
+    run: impl Fn(Option<&[u8]>) -> Result<T, Stopped>,
+) -> Result<T, Stopped> {
+    match run(checkpoint) {
+        Err(Stopped::Failed(failure))
+            if checkpoint.is_some() && failure.kind == FailureKind::CheckpointUnreadable =>
+        {
+            run(None)
+        }
+        result => result,
     }
 }
 
