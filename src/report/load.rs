@@ -74,8 +74,7 @@ impl Loaded {
 
     /// The sweep's name, as its manifest states it.
     pub fn name(&self) -> Option<&str> {
-        let manifest = self.manifest.as_ref()?;
-        manifest.get("name").or_else(|| manifest.get("sweep")?.get("name"))?.as_str()
+        self.manifest.as_ref()?.get("name")?.as_str()
     }
 
     /// How many cases are neither finished nor failed.

@@ -97,9 +97,6 @@ pub fn first_difference(
     }
     for (folder, new) in files::texts(result) {
         let path = of_case(directory, folder, case.id);
-        if !path.exists() && path != files::history_path(directory, case.id) {
-            continue; // earlier versions left less
-        }
         let name = files::name(folder);
         let difference = match std::fs::read(&path) {
             Ok(old) => in_lines(&String::from_utf8_lossy(&old), &new, name),

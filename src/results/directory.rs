@@ -209,7 +209,7 @@ impl Directory {
         mut record: CaseRecord,
         filed: &Filed,
     ) -> Result<(), SweepError> {
-        record.files = filed.seals();
+        record.files = filed.seals.clone();
         self.take(record, filed.on_disk)
     }
 

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use super::checksum::checksum;
 use super::files;
 use super::round_trip;
-use super::seal::{Seal, Seals};
+use super::seal::Seals;
 use crate::disk::names::MANIFEST;
 use crate::simulation::{CaseResult, EnergyBudget, NamedReading, Outcome, PhaseShare};
 use crate::study::CaseId;
@@ -21,19 +21,9 @@ pub struct Filed {
     pub(super) energy: EnergyBudget,
     pub(super) readings: Vec<NamedReading>,
     pub(super) phases: Vec<PhaseShare>,
-    /// Folder, length and sum of each file.
-    seals: Vec<(String, u64, String)>,
+    pub(super) seals: Seals,
     /// Whether the files are certainly on the disk.
     pub(super) on_disk: bool,
-}
-
-impl Filed {
-    pub(super) fn seals(&self) -> Seals {
-        let seal = |(folder, bytes, sum): &(String, u64, String)| {
-            (folder.clone(), Seal::Whole { bytes: *bytes, sum: sum.clone() })
-        };
-        self.seals.iter().map(seal).collect()
-    }
 }
 
 /// A successful case, on its way to the coordinator.
@@ -117,17 +107,13 @@ impl Filing {
             Some(id) => files::write(&self.directory, id, &result, self.syncs).ok(),
             None => Some(Seals::new()),
         });
-        let Some(written) = written else { return Delivery::Whole(Box::new(result)) };
-        let seal = |(folder, seal)| match seal {
-            Seal::Whole { bytes, sum } => (folder, bytes, sum),
-            Seal::Length(bytes) => (folder, bytes, String::new()),
-        };
+        let Some(seals) = written else { return Delivery::Whole(Box::new(result)) };
         Delivery::Filed(Box::new(Filed {
             outcome: result.outcome,
             energy: result.energy,
             readings: result.readings,
             phases: result.phases,
-            seals: written.into_iter().map(seal).collect(),
+            seals,
             on_disk: self.syncs,
         }))
     }

@@ -155,14 +155,10 @@ impl Manifest {
             .find(|p| **p != this)
     }
 
-    /// The fault of a directory's manifest file, if any. One without a sum is from an earlier
-    /// version.
+    /// The fault of a directory's manifest file, if any.
     pub fn damage(directory: &Path) -> Option<&'static str> {
-        /// Its start before it had a sum.
-        const EARLIER: &[u8] = b"{\n  \"version\": \"";
         let Ok(text) = std::fs::read(directory.join(MANIFEST)) else { return Some("is missing") };
-        let readable = Manifest::read(directory).is_some();
-        let whole = readable && (sealed::is_whole(&text) || text.starts_with(EARLIER));
+        let whole = Manifest::read(directory).is_some() && sealed::is_whole(&text);
         (!whole).then_some("is damaged")
     }
 

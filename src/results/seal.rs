@@ -5,43 +5,29 @@ use std::fs::File;
 use std::io::{ErrorKind, Read};
 use std::path::Path;
 
-use serde::de::{self, MapAccess, Visitor};
-use serde::{Deserialize, Deserializer, Serialize};
+use serde::{Deserialize, Serialize};
 
 use super::checksum::{checksum, checksum_of_rest};
 
 /// Length and checksum of a file from when it was written.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-#[serde(untagged)]
-pub enum Seal {
-    /// Its length, bytes, and the start of its SHA-256.
-    Whole {
-        /// Length.
-        bytes: u64,
-        /// 16 hex digits.
-        sum: String,
-    },
-    /// Only its length, as in earlier versions.
-    Length(u64),
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Seal {
+    /// Its length.
+    pub(super) bytes: u64,
+    /// The start of its SHA-256, 16 hex digits.
+    pub(super) sum: String,
 }
 
 impl Seal {
     /// That of a content.
     pub(super) fn of(content: &[u8]) -> Seal {
-        Seal::Whole { bytes: content.len() as u64, sum: checksum(content) }
+        Seal { bytes: content.len() as u64, sum: checksum(content) }
     }
 
     /// That of a file, which may be large.
     pub(super) fn of_file(path: &Path) -> std::io::Result<Seal> {
         let (bytes, sum) = checksum_of_rest(File::open(path)?)?;
-        Ok(Seal::Whole { bytes, sum })
-    }
-
-    /// Length of the file.
-    pub(super) fn bytes(&self) -> u64 {
-        match self {
-            Seal::Whole { bytes, .. } | Seal::Length(bytes) => *bytes,
-        }
+        Ok(Seal { bytes, sum })
     }
 
     /// The fault of a file; `None` if it is unchanged.
@@ -58,12 +44,11 @@ impl Seal {
     /// Whether a file is unchanged; `None` if it cannot be read.
     fn fits(&self, path: &Path) -> Option<bool> {
         let mut file = File::open(path).ok()?;
-        if self.bytes() > ASKED {
-            let alike = file.metadata().ok()?.len() == self.bytes();
-            let whole = || Some(*self == Seal::of_file(path).ok()?);
-            return if alike && matches!(self, Seal::Whole { .. }) { whole() } else { Some(alike) };
+        if self.bytes > ASKED {
+            let alike = file.metadata().ok()?.len() == self.bytes;
+            return Some(alike && *self == Seal::of_file(path).ok()?);
         }
-        let length = usize::try_from(self.bytes()).ok()?;
+        let length = usize::try_from(self.bytes).ok()?;
         // Reading one byte more shows at once where it ends. For a million small files each call
         // matters.
         let mut content = vec![0; length + 1];
@@ -80,38 +65,7 @@ impl Seal {
             }
         }
         content.truncate(read);
-        Some(match self {
-            _ if read != length => false,
-            Seal::Length(_) => true,
-            Seal::Whole { sum, .. } => *sum == checksum(&content),
-        })
-    }
-}
-
-/// By hand, because `untagged` would store every value twice before it knows its type.
-impl<'de> Deserialize<'de> for Seal {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Seal, D::Error> {
-        struct Either;
-        impl<'de> Visitor<'de> for Either {
-            type Value = Seal;
-            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str("a length, or a length and a sum")
-            }
-            fn visit_u64<E: de::Error>(self, bytes: u64) -> Result<Seal, E> {
-                Ok(Seal::Length(bytes))
-            }
-            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Seal, A::Error> {
-                #[derive(Deserialize)]
-                struct Whole {
-                    bytes: u64,
-                    sum: String,
-                }
-                let Whole { bytes, sum } =
-                    Whole::deserialize(de::value::MapAccessDeserializer::new(map))?;
-                Ok(Seal::Whole { bytes, sum })
-            }
-        }
-        deserializer.deserialize_any(Either)
+        Some(read == length && self.sum == checksum(&content))
     }
 }
 
@@ -131,12 +85,11 @@ mod tests {
         let path = root.path().join("a.csv");
         assert_eq!(Seal::of(b"").fits(&path), None);
         for written in ["", "a,b\n1,2\n"] {
-            let seals = [Seal::of(written.as_bytes()), Seal::Length(written.len() as u64)];
-            let fits = || seals.each_ref().map(|seal| seal.fits(&path));
+            let seal = Seal::of(written.as_bytes());
             std::fs::write(&path, written).unwrap();
-            assert_eq!(fits(), [Some(true); 2], "{written:?}");
+            assert_eq!(seal.fits(&path), Some(true), "{written:?}");
             std::fs::write(&path, format!("{written}3")).unwrap();
-            assert_eq!(fits(), [Some(false); 2], "{written:?} and more");
+            assert_eq!(seal.fits(&path), Some(false), "{written:?} and more");
         }
         std::fs::write(&path, "a,b\n1,").unwrap();
         assert_eq!(Seal::of(b"a,b\n1,2\n").fits(&path), Some(false));

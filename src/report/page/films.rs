@@ -31,7 +31,7 @@ pub fn films(data: &Loaded, mut room: usize) -> Option<String> {
 
 /// Why cases were filmed, by id, if a sweep chose them. A page can do without the reasons.
 fn reasons(directory: &Path) -> HashMap<String, String> {
-    let records = read_records(&directory.join(REASONS), false);
+    let records = read_records(&directory.join(REASONS));
     let records = records.map_or_else(|_| Vec::new(), |(_, records)| records);
     let told = |record: &csv::StringRecord| Some((record.get(0)?.into(), record.get(1)?.into()));
     records.iter().filter_map(told).collect()
