@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::disk;
-use crate::disk::names::REASONS;
+use crate::disk::names::{HIGHEST_RUNUP, LARGEST_FORCE, REASONS};
 use crate::math::comma::csv;
 use crate::results::CaseRecord;
 use crate::simulation::Outcome;
@@ -11,8 +11,8 @@ use crate::study::Study;
 
 /// The reasons that make a case worth a look.
 const CRITERIA: [Criterion; 4] = [
-    ("largest force", |_, outcome| Some(outcome.force_max.value)),
-    ("highest runup", |_, outcome| Some(outcome.runup_max.value)),
+    (LARGEST_FORCE, |_, outcome| Some(outcome.force_max.value)),
+    (HIGHEST_RUNUP, |_, outcome| Some(outcome.runup_max.value)),
     ("softest wall that turns", |stiffness, outcome| {
         let turned = outcome.displacement_truncated == Some(false)
             && outcome.displacement_max.is_some_and(|maximum| maximum.value > 0.0);

@@ -30,8 +30,10 @@ pub(crate) const TABLES: &str = "tables";
 pub(crate) const FILMS: &str = "films";
 /// Films for ParaView.
 pub(crate) const VTK: &str = "vtk";
-/// Why cases were filmed.
+/// Why cases were filmed, and the two of these reasons by which the page picks stills.
 pub(crate) const REASONS: &str = "films/reasons.csv";
+pub(crate) const LARGEST_FORCE: &str = "largest force";
+pub(crate) const HIGHEST_RUNUP: &str = "highest runup";
 
 /// The path of a case's table in one of its folders.
 pub(crate) fn of_case(directory: &Path, folder: &str, id: impl std::fmt::Display) -> PathBuf {

@@ -6,8 +6,8 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use crate::disk::names::REASONS;
-use crate::report::load::{Loaded, read_records};
+use crate::disk::names::{HIGHEST_RUNUP, LARGEST_FORCE, REASONS};
+use crate::report::load::Loaded;
 use crate::report::markup::escape;
 use crate::report::row::Row;
 
@@ -31,10 +31,8 @@ pub fn films(data: &Loaded, mut room: usize) -> Option<String> {
 
 /// Why cases were filmed, by id, if a sweep chose them. A page can do without the reasons.
 fn reasons(directory: &Path) -> HashMap<String, String> {
-    let records = read_records(&directory.join(REASONS));
-    let records = records.map_or_else(|_| Vec::new(), |(_, records)| records);
-    let told = |record: &csv::StringRecord| Some((record.get(0)?.into(), record.get(1)?.into()));
-    records.iter().filter_map(told).collect()
+    let reader = csv::Reader::from_path(directory.join(REASONS));
+    reader.into_iter().flat_map(csv::Reader::into_deserialize).flatten().collect()
 }
 
 /// The stills, the case, the reason for the film, and the film for the script.
@@ -47,10 +45,8 @@ fn figure(data: &Loaded, row: &Row, reason: Option<&String>, room: &mut usize) -
     // The stills show what the case was filmed for.
     let is_for = |what: &str| reason.is_some_and(|reason| reason.contains(what));
     let first = match data.film(row, "-highest.svg") {
-        Some(_) if is_for("highest runup") && is_for("largest force") => {
-            &[".svg", "-highest.svg"][..]
-        }
-        Some(_) if is_for("highest runup") => &["-highest.svg"],
+        Some(_) if is_for(HIGHEST_RUNUP) && is_for(LARGEST_FORCE) => &[".svg", "-highest.svg"][..],
+        Some(_) if is_for(HIGHEST_RUNUP) => &["-highest.svg"],
         _ => &[".svg"],
     };
     let stills: String = first
