@@ -6,7 +6,7 @@ use std::path::Path;
 use toml::{Table, Value};
 
 use super::manifest::Manifest;
-use crate::keys::{number, shortened};
+use crate::keys::{alike, number, shortened};
 use crate::study::{GridAxis, PHYSICS_VERSION, Study};
 
 /// The first difference in words: the physics version, a key of the two files, or a setting of the
@@ -42,14 +42,11 @@ const FREE: [&str; 4] = ["name", "limits", "accuracy", "numerics.error_bars"];
 /// Whether two values are equal: 1 is 1.0. But 0 and -0 make other cases.
 fn same(one: &Value, other: &Value) -> bool {
     match (number(one), number(other), one, other) {
-        (Some(one), Some(other), ..) => {
-            one == other && one.is_sign_negative() == other.is_sign_negative()
-        }
+        (Some(one), Some(other), ..) => one.to_bits() == other.to_bits(),
         (_, _, Value::Array(one), Value::Array(other)) => {
             one.len() == other.len() && one.iter().zip(other).all(|(one, other)| same(one, other))
         }
-        (_, _, Value::Table(_), Value::Table(_)) => one.to_string() == other.to_string(),
-        _ => one == other,
+        _ => alike(one, other),
     }
 }
 
