@@ -17,8 +17,7 @@ use super::input::{
 use super::job::{Done, Job, Retry};
 use super::options::{EndingArgs, KeepArgs};
 use super::output::{Output, json_paths};
-use super::overview;
-use super::{INTERRUPTED, SUCCESS, check, films, max_error, notices, options, warnings};
+use super::{INTERRUPTED, SUCCESS, check, films, max_error, notices, options, overview, warnings};
 use crate::disk::names::PAGE;
 use crate::execute::{Crew, Ending, Interrupt, Keeping, Launcher, Setup, SphRunner, mpi, threads};
 use crate::keys::named;

@@ -204,12 +204,7 @@ impl Directory {
     }
 
     /// Records a case whose files were written where it ran.
-    pub fn record_filed(
-        &mut self,
-        mut record: CaseRecord,
-        filed: &Filed,
-    ) -> Result<(), SweepError> {
-        record.files = filed.seals.clone();
+    pub fn record_filed(&mut self, record: CaseRecord, filed: &Filed) -> Result<(), SweepError> {
         self.take(record, filed.on_disk)
     }
 

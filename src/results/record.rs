@@ -169,6 +169,7 @@ impl CaseRecord {
             energy: Some(filed.energy),
             readings: filed.readings.clone(),
             phases: filed.phases.clone(),
+            files: filed.seals.clone(),
             ..CaseRecord::blank(case.index, case.id, wall_time_s, host)
         }
     }
