@@ -291,6 +291,20 @@ fn a_case_is_held_against_measurements() {
     assert!(number("from_s") >= 0.2 && number("to_s") <= 0.6, "{column}");
     let back = ended(2, &["compare", &desk.dir, record, "--case", &id, "--between", "2", "1"]);
     assert!(back.err.contains("the second time must be later"), "{}", back.err);
+    // The story: a gauge that failed for a while, and one in millimetres, passed without a word.
+    let count = rows.lines().count();
+    let in_mm = rows.lines().skip(1).enumerate().map(|(at, row)| {
+        let (time, level) = row.split_once(',').unwrap();
+        let seen = !(count / 3..2 * count / 3).contains(&at);
+        let level = 1e3 * level.parse::<f64>().unwrap();
+        if seen { format!("{time}, {level}\n") } else { format!("{time},\n") }
+    });
+    fs::write(&path, format!("time_s, level\n{}", in_mm.collect::<String>())).unwrap();
+    let told = ended(0, &["compare", &desk.dir, record, "--case", &id, "--format", "json"]);
+    assert!(told.err.contains("level has no values for 0."), "{}", told.err);
+    let (value, mm) = (told.json(), ": is the column in mm?");
+    assert!(told.err.contains(mm) && value["slips"][0].as_str().unwrap().ends_with(mm), "{value}");
+    assert!(value["columns"][0]["gaps_s"].as_f64().unwrap() > 0.1, "{value}");
     let two = ended(2, &["compare", &desk.dir, &desk.dir, "--case", &id]);
     assert!(two.err.contains("--case is for a CSV file"), "{}", two.err);
 }

@@ -134,7 +134,16 @@ impl Loaded {
 pub(super) fn series(path: &Path, needed: &[&'static str]) -> Result<History, ReportError> {
     let (header, records) = read_records(path, false)?;
     demand(path, &header, needed.iter().copied())?;
-    let rows: Vec<Vec<Option<f64>>> = deserialize(path, &header, &records)?;
+    series_of(path, &header, &records)
+}
+
+/// The series of a table over time that has been read.
+pub(super) fn series_of(
+    path: &Path,
+    header: &StringRecord,
+    records: &[StringRecord],
+) -> Result<History, ReportError> {
+    let rows: Vec<Vec<Option<f64>>> = deserialize(path, header, records)?;
     let time = header.iter().position(|name| name == history::TIME.name).unwrap_or(0);
     let series = |(column, name): (usize, &str)| Series {
         name: name.to_owned(),

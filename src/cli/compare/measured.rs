@@ -12,9 +12,10 @@ use crate::cli::picked_case::the_case;
 use crate::cli::stored::{demand_summary, file_and_study};
 use crate::cli::table::Table;
 use crate::keys::{hint, named};
+use crate::math::decimal::significant;
 use crate::math::words::counted;
 use crate::quantities::summary::CASE_ID;
-use crate::report::compare::{Beside, Held, figure_of_held, hold, table_of_held};
+use crate::report::compare::{Beside, Held, figure_of_held, hold, slips, table_of_held};
 use crate::report::load::Loaded;
 
 pub(super) fn main(args: &CompareArgs, output: &Output) -> anyhow::Result<()> {
@@ -34,6 +35,10 @@ pub(super) fn main(args: &CompareArgs, output: &Output) -> anyhow::Result<()> {
             named(record)
         ));
     }
+    let slips = slips(&data, &case_id, &held);
+    slips.iter().for_each(|slip| output.note(format!("{}: {slip}", named(record))));
+    let gaps = held.columns.iter().filter_map(gap);
+    gaps.for_each(|gap| output.note(format!("{}: {gap}", named(record))));
     let files = args
         .out
         .as_ref()
@@ -45,8 +50,19 @@ pub(super) fn main(args: &CompareArgs, output: &Output) -> anyhow::Result<()> {
     }
     output.result(
         &text,
-        &output.value(|| value([directory, record], &case_id, &held, files.as_deref())),
+        &output.value(|| value([directory, record], &case_id, (&held, &slips), files.as_deref())),
     )
+}
+
+/// How long a column or the case has no values, and where.
+fn gap(column: &Beside) -> Option<String> {
+    let [from, to] = column.gaps.longest()?.map(|time| significant(time, 6));
+    let (all, seconds) = (column.gaps.count(), significant(column.gaps.seconds(), 4));
+    let place = match all {
+        1 => format!(", from {from} to {to} s"),
+        _ => format!(" in {all} gaps, the longest from {from} to {to} s"),
+    };
+    Some(format!("{} has no values for {seconds} s{place}: nothing there counts", column.name))
 }
 
 /// The times that count.
@@ -124,7 +140,7 @@ fn text([directory, record]: [&Path; 2], case_id: &str, held: &Held) -> String {
 fn value(
     [directory, record]: [&Path; 2],
     case_id: &str,
-    held: &Held,
+    (held, slips): (&Held, &[String]),
     files: Option<&[PathBuf]>,
 ) -> Value {
     let extreme = |(time, value): (f64, f64)| json!({ "value": value, "time_s": time });
@@ -142,6 +158,7 @@ fn value(
             "computed_min": extreme(computed_low),
             "rms": one.rms,
             "rms_percent": one.rms_percent(),
+            "gaps_s": one.gaps.seconds(),
         })
     };
     json!({
@@ -150,6 +167,7 @@ fn value(
         "case_id": case_id,
         "columns": held.columns.iter().map(column).collect::<Vec<_>>(),
         "left_out": held.left_out,
+        "slips": slips,
         "files": files.map(json_paths),
     })
 }

@@ -22,6 +22,7 @@ pub fn table(held: &Held) -> Table {
         "computed_min_time_s",
         "rms",
         "rms_percent",
+        "gaps_s",
     ];
     let row = |column: &Beside| {
         let [from, to] = column.times();
@@ -32,6 +33,7 @@ pub fn table(held: &Held) -> Table {
         cells.push(or_empty(column.off_percent()));
         cells.extend(low.iter().chain(&[column.rms]).map(f64::to_string));
         cells.push(or_empty(column.rms_percent()));
+        cells.push(column.gaps.seconds().to_string());
         cells
     };
     Table::new("compare", "Measured", &header, held.columns.iter().map(row).collect())
@@ -44,14 +46,18 @@ pub fn figure(held: &Held, case_id: &str) -> Figure {
         let scaled = |points: &[(f64, f64)]| {
             points.iter().map(|&(time, value)| (time, value * factor)).collect()
         };
-        let line = |index, label: &str, points| Line::new(index, label, case_id, scaled(points));
+        // A line for each piece between gaps, of which the first is in the legend.
+        let lines = |index: usize, label: &str, points: &[(f64, f64)]| -> Vec<Line> {
+            let label = |at| if at == 0 { label } else { "" };
+            let pieces = column.gaps.pieces(points).enumerate();
+            pieces.map(|(at, of)| Line::new(index, label(at), case_id, scaled(of))).collect()
+        };
+        let curves =
+            [lines(1, "measured", &column.measured), lines(0, "computed", &column.computed)];
         Strip {
             title: format!("{}: {title}", column.name),
             name: column.name.clone(),
-            curves: vec![
-                line(1, "measured", &column.measured),
-                line(0, "computed", &column.computed),
-            ],
+            curves: curves.concat(),
             peaks: true,
             ..Strip::default()
         }

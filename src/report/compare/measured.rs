@@ -2,12 +2,14 @@
 
 use std::path::Path;
 
+use super::gaps::Gaps;
+use super::record;
 use crate::math::decimal::significant;
-use crate::quantities::{heading, history};
+use crate::quantities::{Unit, heading, history};
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
 use crate::report::plots::axis_of_gauge;
-use crate::report::series::{Series, at, series};
+use crate::report::series::{Series, at};
 
 /// Times in seconds and values.
 type Points = Vec<(f64, f64)>;
@@ -25,6 +27,8 @@ pub struct Beside {
     pub measured: Points,
     /// What was computed.
     pub computed: Points,
+    /// Where one of the two has no values. Nothing there counts.
+    pub gaps: Gaps,
     /// Root mean square of the difference at the measured times, in the column's unit.
     pub rms: f64,
 }
@@ -50,8 +54,8 @@ pub fn hold(
     case_id: &str,
     (record, between): (&Path, [f64; 2]),
 ) -> Result<Held, ReportError> {
-    let measured = series(record, &[history::TIME.name])?.0;
-    let computed = [data.gauges(case_id)?.0, data.history(case_id)?.0].concat();
+    let measured = record::read(record)?;
+    let computed = computed(data, case_id)?;
     let known: Vec<_> = computed.iter().map(|series| series.name.clone()).collect();
     let wrong = |reason: String| ReportError::Record { path: record.to_owned(), reason };
     let (mut columns, mut left_out) = (Vec::new(), Vec::new());
@@ -71,20 +75,40 @@ pub fn hold(
     Ok(Held { columns, left_out, known })
 }
 
+/// The gauges and the history of a case, with their units.
+fn computed(data: &Loaded, case_id: &str) -> Result<Vec<Series>, ReportError> {
+    let mut own = data.history(case_id)?.0;
+    for series in &mut own {
+        series.unit = declared(&series.name).map_or("", |unit| unit.symbol()).to_owned();
+    }
+    Ok([data.gauges(case_id)?.0, own].concat())
+}
+
+/// The unit of a history's column.
+fn declared(name: &str) -> Option<Unit> {
+    history::ALL.iter().find(|column| column.name == name).map(|column| column.unit)
+}
+
 impl Beside {
     fn of([measured, computed]: [&Series; 2], between: [f64; 2]) -> Result<Beside, String> {
         let wrong = |reason: String| format!("column {}: {reason}", measured.name);
         let span = common([&measured.points, &computed.points], between).map_err(wrong)?;
-        let within = |points: &Points| -> Points {
-            points.iter().filter(|(time, _)| (span[0]..=span[1]).contains(time)).copied().collect()
+        let gaps = Gaps::of([&measured.points, &computed.points]);
+        let [from, to] = gaps.trimmed(span);
+        let counts = |time: f64| (from <= time && time <= to) && !gaps.hold(time);
+        let counted = |points: &Points| -> Points {
+            points.iter().filter(|(time, _)| counts(*time)).copied().collect()
         };
-        let [own, points] = [&measured.points, &computed.points].map(within);
+        let [own, points] = [&measured.points, &computed.points].map(counted);
         if own.is_empty() || points.is_empty() {
             let [from, to] = span;
             return Err(wrong(format!("one of the two has no value from {from} to {to} s")));
         }
-        let is_gauge = !computed.unit.is_empty();
-        let axis = if is_gauge { axis_of_gauge(computed) } else { (heading(&computed.name), 1.0) };
+        let axis = match declared(&computed.name) {
+            Some(unit) => (unit.axis().to_owned(), 1.0),
+            None if computed.unit.is_empty() => (heading(&computed.name), 1.0),
+            None => axis_of_gauge(computed),
+        };
         // A measured time may lie between the last computed one that counts and the next.
         let square =
             |&(time, value): &(f64, f64)| Some((at(&computed.points, time)? - value).powi(2));
@@ -96,6 +120,7 @@ impl Beside {
             rms: (sum / own.len() as f64).sqrt(),
             measured: own,
             computed: points,
+            gaps: gaps.within([from, to]),
         })
     }
 
@@ -154,55 +179,4 @@ fn extreme(points: &Points, sign: f64) -> (f64, f64) {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::report::fixture;
-
-    const ALWAYS: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
-
-    fn line(points: &[(f64, f64)]) -> Series {
-        let (name, method) = ("G1".to_owned(), String::new());
-        Series { name, unit: "m".to_owned(), method, points: points.to_vec() }
-    }
-
-    /// Computed: a ramp of 1 m/s. Measured: the same, 0.1 m higher, with a peak between two times.
-    #[test]
-    fn a_record_is_held_at_its_own_times() {
-        let computed = line(&[(0.0, 0.0), (1.0, 1.0), (2.0, 2.0)]);
-        let measured = line(&[(-1.0, 9.0), (0.5, 0.6), (1.5, 1.6), (1.75, 1.85), (7.0, 9.0)]);
-        let held = Beside::of([&measured, &computed], ALWAYS).unwrap();
-        assert_eq!(held.times(), [0.5, 1.75], "what only one has does not count");
-        assert!((held.rms - 0.1).abs() < 1e-12, "{}", held.rms);
-        assert_eq!(held.highest(), [(1.75, 1.85), (2.0, 2.0)]);
-        assert!((held.off_percent().unwrap() - 100.0 * 0.15 / 1.85).abs() < 1e-12);
-        assert!((held.rms_percent().unwrap() - 100.0 * 0.1 / 1.25).abs() < 1e-9);
-        assert_eq!(held.axis.0, "level, m");
-        let early = Beside::of([&measured, &computed], [0.0, 1.0]).unwrap();
-        assert!((early.rms - 0.1).abs() < 1e-12);
-        assert_eq!((early.times(), early.highest()), ([0.5, 0.5], [(0.5, 0.6), (1.0, 1.0)]));
-    }
-
-    #[test]
-    fn what_has_nothing_in_common_is_told() {
-        let computed = line(&[(0.0, 0.0), (1.0, 1.0)]);
-        let told =
-            |points: &[(f64, f64)]| Beside::of([&line(points), &computed], ALWAYS).unwrap_err();
-        assert!(
-            told(&[(3.0, 1.0), (4.0, 1.0)])
-                .contains("from 3 to 4 s, those of the case from 0 to 1 s")
-        );
-        assert!(told(&[(0.1, 1.0), (0.5, 1.0), (0.2, 1.0)]).contains("goes back from 0.5 to 0.2"));
-        assert!(told(&[]).contains("no number"));
-        let (directory, data) = fixture::read(fixture::dam_breaks(1));
-        let record = directory.path().join("measured.csv");
-        std::fs::write(&record, "time_s,P7\n0,1\n").unwrap();
-        let told = hold(&data, "case-0000", (&record, ALWAYS)).unwrap_err().to_string();
-        assert!(
-            told.contains("measured.csv: has no column") && told.contains("P1, front"),
-            "{told}"
-        );
-        std::fs::write(&record, "time_s,P7,P1\n0,1,5\n").unwrap();
-        let held = hold(&data, "case-0000", (&record, ALWAYS)).unwrap();
-        assert_eq!((held.columns.len(), &held.left_out[..]), (1, &["P7".to_owned()][..]));
-    }
-}
+mod tests;

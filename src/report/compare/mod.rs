@@ -1,11 +1,14 @@
 //! Two studies side by side. Cases are matched by their physical values and not by their ids, since
 //! numerics may differ.
 
+mod gaps;
 mod held;
 mod matching;
 mod measured;
 mod pair;
+mod record;
 mod shown;
+mod slips;
 mod values;
 
 use std::collections::HashSet;
@@ -18,10 +21,12 @@ use super::row::Row;
 use crate::quantities::Column;
 use values::Values;
 
+pub use gaps::Gaps;
 pub use held::{figure as figure_of_held, table as table_of_held};
 pub use measured::{Beside, Held, hold};
 pub use pair::{COMPARED, Difference, Pair, Tally};
 pub use shown::{figure, table};
+pub use slips::slips;
 
 /// A key that has other values in one study than in the other, in cases of the same point.
 #[derive(Debug, Clone, PartialEq)]
