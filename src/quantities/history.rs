@@ -25,3 +25,17 @@ quantities! { Read;
         row.wall_velocity_m_per_s
     });
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::HISTORY_COLUMNS;
+
+    /// The story: a probe called "force" was held against the measured force on the wall.
+    #[test]
+    fn probes_leave_these_names_alone() {
+        let names: Vec<_> = ALL.iter().map(|column| column.name).collect();
+        assert_eq!(names[0], TIME.name);
+        assert_eq!(names[1..], HISTORY_COLUMNS);
+    }
+}

@@ -58,7 +58,7 @@ pub use loose_wall::FARTHEST_WALL;
 pub use numerics::{ErrorBars, IncompressibleNumerics, Numerics, Scheme, Slip};
 pub use odd_values::odd_by_key;
 pub use preset::Preset;
-pub use probe::{CREST_COLUMNS, OVER_STILL_WATER, Probe, ProbeKind, Side};
+pub use probe::{CREST_COLUMNS, HISTORY_COLUMNS, OVER_STILL_WATER, Probe, ProbeKind, Side};
 pub use seawall::{PaddleChoice, SeawallScene};
 pub use tank::Tank;
 pub use wall_choice::{WallChoice, WallLook};

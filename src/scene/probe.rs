@@ -17,6 +17,9 @@ pub const CREST_COLUMNS: [&str; 4] = [
     "crest_speed_m_per_s",
 ];
 
+/// Columns of every case's history besides its time. A probe of such a name could not be told from them.
+pub const HISTORY_COLUMNS: [&str; 4] = ["force", "runup", "displacement", "wall_velocity_m_per_s"];
+
 /// What a probe measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -50,7 +53,7 @@ pub enum Side {
 section! {
     /// One `[[probe]]` table.
     pub struct Probe in "probe" {
-        /// Column of the output.
+        /// Column of the output, and none that histories or crests have of themselves.
         name: String, plain();
         /// `pressure`, Pa. `level`: the surface over the bed at the left wall, m. `elevation`: the surface over
         /// still water, m. Where there is no water both are the ground, and under a wall that leans over the water at
@@ -176,6 +179,10 @@ impl Probe {
         }
         if CREST_COLUMNS.contains(&self.name.as_str()) {
             let allowed = "is the name of a column that walls with a crest have of themselves";
+            return error("name", format!("{:?}", self.name), allowed);
+        }
+        if HISTORY_COLUMNS.contains(&self.name.as_str()) {
+            let allowed = "is the name of a column of every history";
             return error("name", format!("{:?}", self.name), allowed);
         }
         let name = &self.name;
