@@ -21,6 +21,7 @@ mod goda;
 mod grid;
 pub mod load;
 mod markup;
+mod newtons;
 mod number;
 mod omitted;
 mod page;

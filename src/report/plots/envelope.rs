@@ -12,6 +12,7 @@ use crate::quantities::summary::{FIRST_FORCE_MAX, FORCE_MAX, WAVE_HEIGHT_RATIO};
 use crate::report::curves::{distinct, spread};
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
+use crate::report::newtons::scales;
 use crate::report::row::Row;
 use crate::report::series::Pressed;
 
@@ -21,7 +22,8 @@ type Case<'a> = (&'a Row, Vec<Pressed>);
 /// The figure; empty where no case has an envelope.
 pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     let mut cases: Vec<Case<'_>> = Vec::new();
-    for row in chosen(data) {
+    let scales = scales(data);
+    for row in chosen(data, scales.as_deref()) {
         let envelope = data.envelope(row.id())?;
         if envelope.len() > 1 {
             cases.push((row, envelope));
@@ -30,9 +32,10 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     if cases.is_empty() {
         return Ok(Vec::new());
     }
+    let force = if scales.is_some() { "force in newtons" } else { "F*" };
     let which = match distinct(data.finished(), &WAVE_HEIGHT_RATIO).len() {
-        0 | 1 => "from the largest F* to the least",
-        _ => "for each wave the one of the largest F*",
+        0 | 1 => format!("from the largest {force} to the least"),
+        _ => format!("for each wave the one of the largest {force}"),
     };
     let shown = match data.finished().count() {
         all if all > cases.len() => format!(
@@ -62,11 +65,16 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
 }
 
 /// For each of several waves, the case of the largest force. For a single wave, some cases from the
-/// largest to the least force.
-fn chosen(data: &Loaded) -> Vec<&Row> {
-    let force = |row: &Row| row.number(row.impact(&FIRST_FORCE_MAX, &FORCE_MAX));
-    let mut rows: Vec<_> = data.finished().collect();
-    rows.sort_by(|a, b| force(b).unwrap_or(0.0).total_cmp(&force(a).unwrap_or(0.0)));
+/// largest to the least force. Pressures are in kPa: where cases have F* over different units,
+/// `scales` has those, and the force in newtons counts.
+fn chosen<'a>(data: &'a Loaded, scales: Option<&[f64]>) -> Vec<&'a Row> {
+    let force = |(place, row): &(usize, &Row)| {
+        let force = row.number(row.impact(&FIRST_FORCE_MAX, &FORCE_MAX)).unwrap_or(0.0);
+        scales.map_or(force, |scales| force * scales[*place])
+    };
+    let mut placed: Vec<_> = data.placed().collect();
+    placed.sort_by(|a, b| force(b).total_cmp(&force(a)));
+    let mut rows: Vec<_> = placed.into_iter().map(|(_, row)| row).collect();
     let waves = distinct(rows.iter().copied(), &WAVE_HEIGHT_RATIO);
     if waves.len() > 1 {
         let of = |wave: &f64| {
@@ -108,6 +116,27 @@ mod tests {
     use super::*;
     use crate::quantities::summary::STOPS;
     use crate::report::fixture;
+    use crate::report::study::Key;
+    use serde_json::json;
+
+    /// The story: of a sweep over depths the figure had the shallowest water, whose F* is largest
+    /// and whose pressures are the least.
+    #[test]
+    fn where_depths_differ_newtons_choose_the_case() {
+        let (_directory, mut data) =
+            fixture::read(fixture::movable(&[0.5], &[500.0, 600.0], &[250.0]));
+        let text = "[scene]\nwall = \"movable\"\n[grid]";
+        data.manifest = Some(json!({ "name": "a", "sweep_file": text }));
+        let keys = [("spring_stiffness_n_per_m", "500"), ("seawall_mass_kg_per_m", "250")];
+        data.keys = keys.map(|(name, cell)| Key::new(name, [cell, cell])).into();
+        for (row, force) in data.rows.iter_mut().zip([2.2, 2.0]) {
+            *row = row.clone().with(&FIRST_FORCE_MAX, force);
+        }
+        let first = |data: &Loaded| chosen(data, scales(data).as_deref())[0].id().to_owned();
+        assert_eq!(first(&data), "case-0000");
+        data.keys.push(Key::new("still_water_depth_m", ["0.2", "0.4"]));
+        assert_eq!(first(&data), "case-0001");
+    }
 
     #[test]
     fn envelopes_are_drawn_where_there_are_files_of_them() {

@@ -3,6 +3,7 @@
 use crate::quantities::Column;
 use crate::quantities::summary::{FIRST_FORCE_MAX, FORCE_MAX, FORCE_MAX_ERROR};
 use crate::report::load::Loaded;
+use crate::report::newtons::{differ, scale};
 use crate::report::number;
 use crate::report::page::words::{at, doubt, result};
 use crate::report::row::Row;
@@ -11,16 +12,6 @@ use crate::scene::Scene;
 
 /// A later force is mentioned if it is larger than the first impact's by more than this share.
 const NOTABLE: f64 = 0.02;
-/// Keys that change the scale of F*.
-const SCALING: [&str; 6] = [
-    "bed",
-    "still_water_depth_m",
-    "column_height_m",
-    "gravity_m_per_s2",
-    "water_density_kg_per_m3",
-    "tank_length_m",
-];
-
 /// The column with the largest force of a case.
 pub fn column(row: &Row) -> &'static Column {
     row.impact(&FIRST_FORCE_MAX, &FORCE_MAX)
@@ -86,13 +77,6 @@ pub fn scene(data: &Loaded, file: Option<&SceneFile>, row: &Row) -> Option<Scene
     Some(file?.config(data, index)?.scene)
 }
 
-/// What F* of a scene is over, N/m. The depth is that at the wall, or the still water's if the wall
-/// stands dry.
-fn scale(scene: &Scene) -> f64 {
-    let frame = scene.frame();
-    frame.static_force(scene.seawall().map_or(frame.depth, |scene| scene.force_depth_m()))
-}
-
 /// The depth that scales the F* of a row, m, if it is not the still water's at the paddle.
 fn depth_at_wall(data: &Loaded, file: Option<&SceneFile>, row: &Row) -> Option<f64> {
     let scene = scene(data, file, row)?;
@@ -107,7 +91,7 @@ fn other_in_newtons<'a>(
     row: &Row,
     force: f64,
 ) -> Option<(&'a Row, f64)> {
-    if !data.keys.iter().any(|key| SCALING.contains(&key.name.as_str())) {
+    if !differ(data) {
         return None;
     }
     let of = |(index, row): (usize, &'a Row)| {
@@ -164,15 +148,6 @@ mod tests {
         let told = largest(&data, file.as_ref()).unwrap();
         assert!(told.contains("that is 0.392 kN per metre of wall"), "{told}");
         assert!(told.contains(" h of F* is the depth at the wall, 0.2 m. It is that of"), "{told}");
-    }
-
-    /// The story: vortices have no gravity, and their F* is over ρU² times the side. The page told
-    /// half of their force in newtons.
-    #[test]
-    fn a_force_without_gravity_has_a_scale_of_its_own() {
-        let scene = "kind = \"taylor-green\"\nspeed_m_per_s = 0.7\nbox_side_m = 0.5";
-        let unit = scale(&crate::scene::CaseConfig::of(scene, "").scene);
-        assert!((unit - 1000.0 * 0.49 * 0.5).abs() < 1e-9, "{unit}");
     }
 
     #[test]
