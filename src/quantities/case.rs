@@ -9,12 +9,21 @@ const ROWS: f64 = 10.0;
 /// Quotients of decimals have smaller errors than this.
 const ROUNDING: f64 = 1e-9;
 
-/// What `coarse_spacing` says of several cases: the sentence of one, with the rows of all.
+/// What follows from few rows over a level bed, where that was measured.
+const OVER_LEVEL_BED: &str = "forces are up to 3 %, displacements 9 % off, runups 0.25 h low";
+/// What follows elsewhere.
+const OVER_OTHERS: &str =
+    "numbers are further off over a bed that is not level: see the known limits";
+
+/// What `coarse_spacing` says of several cases: the sentence of one, with the rows of all. A case
+/// over a bed that is not level has the word.
 pub fn coarse_spacings<'a>(told: impl IntoIterator<Item = &'a str>) -> Option<String> {
     let mut told: Vec<_> = told.into_iter().filter_map(|why| why.split_once(' ')).collect();
     let rows = |rows: &str| rows.parse().unwrap_or(f64::INFINITY);
     told.sort_by(|(a, _), (b, _)| rows(a).total_cmp(&rows(b)));
-    let (&(fewest, rest), &(most, _)) = (told.first()?, told.last()?);
+    let (&(fewest, first), &(most, _)) = (told.first()?, told.last()?);
+    let rest = told.iter().map(|(_, rest)| *rest).find(|rest| rest.contains(OVER_OTHERS));
+    let rest = rest.unwrap_or(first);
     let span = if fewest == most { String::new() } else { format!(" to {most}") };
     Some(format!("{fewest}{span} {rest}"))
 }
@@ -92,10 +101,8 @@ impl Case<'_> {
         (rows < ROWS - ROUNDING).then(|| {
             // Rounded down: 9.97 rows are not 10.0.
             let rows = (10.0 * (rows + ROUNDING)).floor() / 10.0;
-            format!(
-                "{rows:.1} rows over the depth{place}; below {ROWS}, forces are up to 3 %, displacements 9 % off, runups \
-                 0.25 h low{bars}"
-            )
+            let off = scene.uneven_bed().map_or(OVER_LEVEL_BED, |_| OVER_OTHERS);
+            format!("{rows:.1} rows over the depth{place}; below {ROWS}, {off}{bars}")
         })
     }
 
@@ -142,6 +149,9 @@ mod tests {
         assert_eq!(coarse_spacings(rows).unwrap(), "6.7 to 9.9 rows over the depth");
         assert_eq!(coarse_spacings([rows[0], rows[0]]).unwrap(), rows[0]);
         assert_eq!(coarse_spacings([]), None);
+        let uneven = format!("9.0 rows over the depth; below 10, {OVER_OTHERS}");
+        let all = coarse_spacings([rows[0], &uneven]).unwrap();
+        assert!(all.starts_with("8.0 to 9.0 rows ") && all.ends_with(OVER_OTHERS), "{all}");
     }
 
     fn coarse(scene: &str, spacing: f64, bars: Bars) -> Option<String> {
@@ -171,6 +181,12 @@ mod tests {
         };
         let step = told("[[0, 0], [1.5, 0], [1.5, 0.06], [2.5, 0.06]]").unwrap();
         assert!(step.starts_with("7.0 rows over the depth at the wall; below 10, "), "{step}");
+        // The story: over a slope with a low wall at its end forces were 30 % off, and "up to 3 %"
+        // was told.
+        assert!(!step.contains('%') && step.contains("known limits"), "{step}");
+        let level =
+            coarse("still_water_depth_m = 0.15\nbed = [[0, 0], [2.5, 0]]", 0.02, Bars::default());
+        assert!(level.unwrap().contains("forces are up to 3 %"));
         assert_eq!(told("[[0, 0], [2.5, 0]]"), None);
         assert_eq!(told("[[0, 0], [1.5, 0], [2.5, 0.3]]"), None, "a dry wall has no depth");
     }

@@ -212,4 +212,15 @@ fn holes_before_walls_and_kernels_that_pair_are_told() {
     assert!(told("", "kernel = \"wendland-c4\"", "wendland-c4"));
     let ten = "still_water_depth_m = 0.7\ntank_length_m = 8.75";
     assert!(!told(ten, "particle_spacing_m = 0.07", "fewer than 10"));
+/// The story: over a slope with a low wall at its end forces were 30 % off, and "up to 3 %" was told.
+#[test]
+fn what_was_measured_over_level_beds_is_told_of_them_alone() {
+    let few = |bed: &str| {
+        let told = limits(&CaseConfig::of(bed, "particle_spacing_m = 0.025"));
+        told.into_iter().find(|limit| limit.starts_with("fewer than 10 particles")).unwrap()
+    };
+    assert!(few("").contains("depth: forces are up to 3 %"));
+    assert_eq!(few("bed = [[0, 0], [2.5, 0]]"), few(""));
+    let slope = few("bed = [[0, 0], [1, 0], [2.5, 0.05]]");
+    assert!(slope.contains("further off than over a level bed"), "{slope}");
 }
