@@ -37,6 +37,11 @@ impl SceneFile {
         self.file.scene.get("kind")?.as_str()
     }
 
+    /// Whether each case reads the file of a stroke.
+    pub fn reads_strokes(&self) -> bool {
+        self.file.scene.contains_key("recorded_stroke")
+    }
+
     /// The case of a row; `None` where it is not valid, or its chosen numerics are not known.
     pub fn config(&self, data: &Loaded, row: usize) -> Option<CaseConfig> {
         let [scene, numerics] = self.tables(data, row)?;

@@ -5,6 +5,7 @@ mod aim;
 mod errors;
 mod force;
 mod halving;
+mod limits;
 mod overtopping;
 mod run;
 mod runup;
@@ -35,6 +36,7 @@ pub fn all(data: &Loaded, file: Option<&SceneFile>) -> Vec<Answer> {
         ("Bounds", doubts::bounds(data)),
         ("Doubts", doubts::doubtful(data)),
         ("Spacing", doubts::coarse(data)),
+        ("Known limits", limits::known(data, file)),
         ("Errors", errors::bars(data)),
         ("The aim", aim::met(data)),
     ];
