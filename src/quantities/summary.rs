@@ -186,17 +186,18 @@ quantities! { Read;
     OVERTOPPING_VOLUME = number("overtopping_volume_m2", "V over", SquareMetres, |c| {
         Some(c.outcome?.overtopped?.volume_m2)
     }).significant(4).bar("overtopping_volume_error_m2");
-    /// largest discharge at the back of the crest; empty where the wall has none
+    /// largest discharge at the back of the crest, a mean over five spacings, of samples
+    /// `history_interval_s` apart; empty where the wall has none
     OVERTOPPING_DISCHARGE = number(
         "overtopping_discharge_max_m2_per_s", "q max", SquareMetresPerSecond,
         |c| Some(c.outcome?.overtopped?.discharge_max_m2_per_s)
     ).significant(4);
-    /// thickest water on the crest; empty where the wall has none
+    /// thickest water on the crest, of samples `history_interval_s` apart; empty where the wall has none
     CREST_THICKNESS = number("crest_thickness_max_m", "crest d max", Metres, |c| {
         Some(c.outcome?.overtopped?.thickness_max_m)
     }).significant(4);
-    /// fastest water on the crest, away from the tank: the mean over a column; empty where it was too
-    /// thin to tell, and where the wall has no crest
+    /// fastest water on the crest, away from the tank: the mean over a column, of samples
+    /// `history_interval_s` apart; empty where it was too thin to tell, and where the wall has no crest
     CREST_SPEED = number("crest_speed_max_m_per_s", "crest u max", MetresPerSecond, |c| {
         c.outcome?.overtopped?.speed_max_m_per_s
     }).significant(4);
