@@ -17,6 +17,10 @@ const CASES: usize = 4;
 const CURVES: usize = 6;
 /// The column of a wall with a crest.
 const CREST_THICKNESS: &str = "crest_thickness_m";
+/// The unit of volumes.
+const VOLUME: &str = "m2";
+/// Volumes that are further apart have panels of their own.
+const MANY_TIMES: f64 = 10.0;
 /// Smaller values count as 0, in any unit.
 const NAUGHT: f64 = 1e-9;
 
@@ -63,14 +67,17 @@ fn holds_anything(strip: &Strip) -> bool {
     strip.curves.iter().flat_map(|line| &line.points).any(|(_, value)| value.abs() > NAUGHT)
 }
 
-/// Gauges by the title of their axis, in the order of columns, at most [`CURVES`] per panel. Several
+/// Gauges by the title of their axis, volumes also by their size, in the order of columns, at most [`CURVES`] per panel. Several
 /// panels have a legend each, and colours begin anew in each: six are all that eyes tell apart.
 fn strips(case_id: &str, gauges: &[Series]) -> Vec<Strip> {
     let recorded = gauges.iter().filter(|gauge| gauge.points.len() > 1);
     let scales = different(recorded.map(scale));
     let alike = |one: &(String, f64)| {
         let alike: Vec<_> = gauges.iter().filter(|gauge| scale(gauge) == *one).collect();
-        alike.chunks(CURVES).map(<[_]>::to_vec).collect::<Vec<_>>()
+        let alike = of_a_size(alike).into_iter();
+        let panels =
+            alike.flat_map(|alike| alike.chunks(CURVES).map(<[_]>::to_vec).collect::<Vec<_>>());
+        panels.collect::<Vec<_>>()
     };
     let panels: Vec<_> = scales.iter().flat_map(alike).collect();
     let strip = |of: &Vec<&Series>| {
@@ -84,6 +91,27 @@ fn strips(case_id: &str, gauges: &[Series]) -> Vec<Strip> {
         Strip { title, name, curves, peaks: true, legend, ..Strip::default() }
     };
     panels.iter().map(strip).collect()
+}
+
+/// Gauges in groups, of which volumes have a like size. Beside all water of a tank, what goes over a
+/// crest would be a flat line.
+fn of_a_size(gauges: Vec<&Series>) -> Vec<Vec<&Series>> {
+    let mut groups: Vec<([f64; 2], Vec<&Series>)> = Vec::new();
+    for gauge in gauges {
+        let size = gauge.points.iter().map(|point| point.1.abs()).fold(0.0, f64::max);
+        // What holds nothing fits everywhere.
+        let sizes = if size > NAUGHT { [size; 2] } else { [f64::INFINITY, 0.0] };
+        let both = |of: [f64; 2]| [of[0].min(sizes[0]), of[1].max(sizes[1])];
+        let fits = |[least, most]: [f64; 2]| gauge.unit != VOLUME || most <= MANY_TIMES * least;
+        match groups.iter_mut().find(|(of, _)| fits(both(*of))) {
+            Some((of, group)) => {
+                *of = both(*of);
+                group.push(gauge);
+            }
+            None => groups.push((sizes, vec![gauge])),
+        }
+    }
+    groups.into_iter().map(|(_, group)| group).collect()
 }
 
 /// A gauge's name. The program's own columns are in words: the axis tells their unit.
@@ -117,120 +145,4 @@ pub fn scale(gauge: &Series) -> (String, f64) {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::report::fixture;
-
-    #[test]
-    fn every_unit_has_a_panel() {
-        let data = Loaded::read(fixture::dam_breaks(1).path()).unwrap();
-        assert!(figures(&data).unwrap().is_empty(), "the directory is gone");
-        let (_directory, data) = fixture::read(fixture::dam_breaks(1));
-        let figures = figures(&data).unwrap();
-        assert_eq!(figures.len(), 1);
-        for word in ["p, kPa", "level, m", "P1", "front"] {
-            assert!(figures[0].svg().contains(word), "{word}");
-        }
-        assert!(!figures[0].caption.contains("Shown"));
-    }
-
-    /// The story: a crest that no water passed had four panels of 0, and so had every case.
-    #[test]
-    fn panels_of_naught_are_left_out() {
-        let (_directory, data) = fixture::read(fixture::dam_breaks(1));
-        let path = data.directory.join("probes").join(format!("{}.csv", data.rows[0].id()));
-        let text = |value: &str| format!("time_s,P1,front\n0,0,0\n0.1,{value},-3e-14\n");
-        std::fs::write(&path, text("1e-14")).unwrap();
-        assert!(figures(&data).unwrap().is_empty());
-        std::fs::write(&path, text("5")).unwrap();
-        let figure = figures(&data).unwrap().remove(0);
-        assert!(figure.svg().contains("P1") && !figure.svg().contains("front"));
-        assert!(figure.caption.contains("nothing but 0 are left out"), "{}", figure.caption);
-    }
-
-    #[test]
-    fn of_many_cases_a_few_are_shown_and_the_caption_says_so() {
-        let directory = fixture::dam_breaks(9);
-        let figures = figures(&Loaded::read(directory.path()).unwrap()).unwrap();
-        assert_eq!(figures.len(), 4);
-        for figure in &figures {
-            assert!(figure.caption.contains("Shown are 4 of 9 cases"), "{}", figure.caption);
-        }
-        assert_eq!(figures[0].title, "Gauges, column height = 0.6 m");
-    }
-
-    #[test]
-    fn many_gauges_are_split_so_that_colours_differ() {
-        let gauge = |index: u32| Series {
-            name: format!("P{index}"),
-            unit: "Pa".to_owned(),
-            method: String::new(),
-            points: vec![(0.0, 2e3), (1.0, 1e3)],
-        };
-        let gauges: Vec<_> = (0..9).map(gauge).collect();
-        let strips = strips("a", &gauges);
-        assert_eq!(strips.iter().map(|s| s.curves.len()).collect::<Vec<_>>(), [6, 3]);
-        assert_eq!(strips[1].curves[0].points[0], (0.0, 2.0));
-    }
-
-    /// The story: five gauges with five units were five blue lines without names.
-    #[test]
-    fn panels_say_whose_they_are() {
-        let gauge = |name: &str, unit: &str| Series {
-            name: name.to_owned(),
-            unit: unit.to_owned(),
-            method: String::new(),
-            points: vec![(0.0, 1.0), (1.0, 2.0)],
-        };
-        let gauges = [gauge("P1", "Pa"), gauge("V", "m2"), gauge("P2", "Pa"), gauge("Q", "m2/s")];
-        let strips = strips("a", &gauges);
-        assert!(strips.iter().all(|strip| strip.legend), "each panel names its own");
-        let told = strips.iter().map(|strip| strip.title.as_str());
-        assert_eq!(told.collect::<Vec<_>>(), ["p, kPa", "volume, m²", "discharge, m²/s"]);
-        let crest = [gauge("G1", "m"), gauge("crest_thickness_m", "m")];
-        let told = super::strips("a", &crest).into_iter().map(|strip| strip.title);
-        assert_eq!(told.collect::<Vec<_>>(), ["level, m", "crest thickness, m"]);
-        // The story: an elevation had the axis of a level, though it does not start at the bed.
-        let [level, mut elevation] = [gauge("G1", "m"), gauge("G2", "m")];
-        elevation.method = "surface over still water where kernel coverage falls to 1/2".to_owned();
-        let told = super::strips("a", &[level, elevation]).into_iter().map(|strip| strip.title);
-        assert_eq!(told.collect::<Vec<_>>(), ["level, m", "surface over still water, m"]);
-        let looks: Vec<_> =
-            strips.iter().flat_map(|strip| &strip.curves).map(|line| line.entry.clone()).collect();
-        let own = |index: usize, name: &str| Line::new(index, name, "a", Vec::new()).entry;
-        assert_eq!(looks, [own(0, "P1"), own(1, "P2"), own(0, "V"), own(0, "Q")]);
-    }
-
-    /// The story: beside a gauge called "qberm" the discharge over a crest had no name, and in the
-    /// one legend of all panels eight gauges had the colours of the crest's columns.
-    #[test]
-    fn a_panel_names_its_own_curves_in_its_own_colours() {
-        let gauge = |name: &str, unit: &str| Series {
-            name: name.to_owned(),
-            unit: unit.to_owned(),
-            method: String::new(),
-            points: vec![(0.0, 1.0), (1.0, 2.0)],
-        };
-        let mut gauges: Vec<_> = (1..9).map(|k| gauge(&format!("G{k}"), "m")).collect();
-        gauges.extend([gauge("qberm", "m2/s"), gauge("overtopping_discharge_m2_per_s", "m2/s")]);
-        gauges.extend([gauge("crest_thickness_m", "m"), gauge("crest_speed_m_per_s", "m/s")]);
-        let svg = over_time::strips(&strips("a", &gauges)).svg(3);
-        let panels: Vec<_> = svg.split("class=\"panel\"").skip(1).collect();
-        let named = [
-            ["G1", "G6"],
-            ["G7", "G8"],
-            ["qberm", "overtopping discharge"],
-            ["crest thickness", "hue-0"],
-            ["crest speed", "hue-0"],
-        ];
-        assert_eq!(panels.len(), named.len());
-        for (panel, names) in panels.iter().zip(named) {
-            for name in names {
-                assert!(panel.contains(name), "{name}: {panel}");
-            }
-            let samples = panel.matches("sample hue-").count();
-            let hues = (0..6).filter(|hue| panel.contains(&format!("sample hue-{hue}"))).count();
-            assert_eq!(samples, hues, "no colour twice: {panel}");
-        }
-    }
-}
+mod tests;
