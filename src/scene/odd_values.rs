@@ -22,6 +22,9 @@ const SHORTEST_TANK: f64 = 5.0;
 /// Water, kg/m³: 958 when it boils, 1000 fresh, 1025 in the sea, 1240 in the Dead Sea.
 const WATER: [f64; 2] = [900.0, 1300.0];
 
+/// Gravity, m/s²: 9.76 to 9.84 on earth, which some round to 10.
+const GRAVITY: [f64; 2] = [9.7, 10.0];
+
 /// Number of digits in a bound, which must itself be allowed.
 const DIGITS: usize = 4;
 
@@ -36,7 +39,8 @@ const MOST_ADDED: f64 = 0.05;
 
 /// Values of a case that look like mistakes: key, value, and the usual value.
 pub fn odd_values(config: &CaseConfig) -> Vec<ConfigError> {
-    let all = [density(config), interval(config), end(config), released(&config.scene)];
+    let scene = &config.scene;
+    let all = [density(config), gravity(config), interval(config), end(config), released(scene)];
     let mut odd: Vec<_> = all.into_iter().flatten().collect();
     if let Some(scene) = config.scene.seawall() {
         let near =
@@ -80,6 +84,14 @@ fn density(config: &CaseConfig) -> Option<ConfigError> {
     };
     let usual = (low..=high).contains(&density);
     (!usual).then(|| warning("water_density_kg_per_m3", density, told()))
+}
+
+fn gravity(config: &CaseConfig) -> Option<ConfigError> {
+    let (gravity, [low, high]) = (config.scene.frame().gravity, GRAVITY);
+    // Vortices and drops have none.
+    let usual = gravity == 0.0 || (low..=high).contains(&gravity);
+    let told = "this is no place on earth; gravity is from 9.76 to 9.84 m/s² there";
+    (!usual).then(|| warning("gravity_m_per_s2", gravity, told.to_owned())).flatten()
 }
 
 fn threshold(scene: &SeawallScene) -> Option<ConfigError> {

@@ -1,7 +1,7 @@
 //! Probes in places that water never reaches.
 
 use crate::keys::ConfigError;
-use crate::scene::probe::{Probe, ProbeKind};
+use crate::scene::probe::{Probe, ProbeKind, Side};
 use crate::scene::seawall::SeawallScene;
 
 /// Sums of decimals have smaller errors than this, metres.
@@ -12,7 +12,9 @@ const LEAST_WAY: f64 = 2e-3;
 /// The first of each kind: one with a wrong height, and one with a wrong place along the tank.
 pub(super) fn odd(scene: &SeawallScene, probes: &[Probe]) -> [Option<ConfigError>; 2] {
     [
-        buried(scene, probes).or_else(|| walled_in(scene, probes)),
+        buried(scene, probes)
+            .or_else(|| walled_in(scene, probes))
+            .or_else(|| over_crest(scene, probes)),
         outside(scene, probes)
             .or_else(|| passed(scene, probes))
             .or_else(|| uncounted(scene, probes))
@@ -50,6 +52,20 @@ fn walled_in(scene: &SeawallScene, probes: &[Probe]) -> Option<ConfigError> {
         probe.name
     );
     Some(ConfigError::new("probe.y_m", probe.y_m?, told))
+}
+
+/// A wall with a crest ends there.
+fn over_crest(scene: &SeawallScene, probes: &[Probe]) -> Option<ConfigError> {
+    let top = scene.still_water_depth_m + scene.crest.as_ref()?.crest_freeboard_m;
+    let mut in_wall = probes
+        .iter()
+        .filter(|probe| probe.kind == ProbeKind::Pressure && probe.wall == Some(Side::Right));
+    let (probe, y) = in_wall.find_map(|it| Some((it, it.y_m.filter(|y| *y > top + ROUNDING)?)))?;
+    let told = format!(
+        "{} stands above the wall's crest, which is {top:.4} m high, and reads no pressure on the wall",
+        probe.name
+    );
+    Some(ConfigError::new("probe.y_m", y, told))
 }
 
 /// Where a paddle has passed there is no water. A volume is that of all water beyond.

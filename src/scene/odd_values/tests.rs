@@ -22,6 +22,7 @@ fn what_is_usual_is_not_told() {
         "",
         "still_water_depth_m = 0.5",
         "water_density_kg_per_m3 = 1025",
+        "gravity_m_per_s2 = 9.8",
         "history_interval_s = 0.001",
         "threshold_ratio = 0.5",
         &format!("{movable}\nthreshold_ratio = 1"),
@@ -51,6 +52,7 @@ fn slips_are_told_with_key_and_value() {
         ),
         ("tank_length_m = 7", "scene.tank_length_m = 7: the run ends at 3."),
         ("water_density_kg_per_m3 = 1", "scene.water_density_kg_per_m3 = 1: this is no water"),
+        ("gravity_m_per_s2 = 981", "scene.gravity_m_per_s2 = 981: this is no place on earth"),
         ("history_interval_s = 1e-9", "scene.history_interval_s = 0.000000001: is much shorter"),
         ("history_interval_s = 100", "scene.history_interval_s = 100: is as long as the run, 3."),
         (
@@ -144,6 +146,11 @@ fn a_probe_in_a_wall_or_in_the_paddles_way_is_told() {
     let inside = "probe.y_m = 0.29: P stands inside the wall, which is 0.3000 m high from 2.5000 to 2.7000 m";
     assert!(odd_with(outflow, &at(2.6, 0.29))[0].starts_with(inside));
     assert!(odd_with(floor, &at(2.8, 0.09))[0].contains("or under the floor behind it"));
+    // The story: a probe in the wall above its crest read 0 for the whole run.
+    let in_wall = |y: f64| format!("kind = \"pressure\"\nwall = \"right\"\ny_m = {y}");
+    assert_eq!(odd_with(outflow, &in_wall(0.3)), [""; 0]);
+    let above = "probe.y_m = 0.31: P stands above the wall's crest, which is 0.3000 m high, and reads no pressure on the wall";
+    assert!(odd_with(outflow, &in_wall(0.31))[0].starts_with(above));
     let level = |x: f64| format!("kind = \"level\"\nx_m = {x}");
     assert_eq!(odd_with("", &level(0.33)), [""; 0]);
     let passed = "probe.x_m = 0.32: P stands where the paddle goes, up to 0.326 m into the tank";
