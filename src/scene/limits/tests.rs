@@ -212,6 +212,8 @@ fn holes_before_walls_and_kernels_that_pair_are_told() {
     assert!(told("", "kernel = \"wendland-c4\"", "wendland-c4"));
     let ten = "still_water_depth_m = 0.7\ntank_length_m = 8.75";
     assert!(!told(ten, "particle_spacing_m = 0.07", "fewer than 10"));
+}
+
 /// The story: over a slope with a low wall at its end forces were 30 % off, and "up to 3 %" was told.
 #[test]
 fn what_was_measured_over_level_beds_is_told_of_them_alone() {
