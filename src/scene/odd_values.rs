@@ -91,7 +91,7 @@ fn gravity(config: &CaseConfig) -> Option<ConfigError> {
     // Vortices and drops have none.
     let usual = gravity == 0.0 || (low..=high).contains(&gravity);
     let told = "this is no place on earth; gravity is from 9.76 to 9.84 m/s² there";
-    (!usual).then(|| warning("gravity_m_per_s2", gravity, told.to_owned())).flatten()
+    (!usual).then(|| warning("gravity_m_per_s2", gravity, told.to_owned()))
 }
 
 fn threshold(scene: &SeawallScene) -> Option<ConfigError> {
