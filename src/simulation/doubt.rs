@@ -141,9 +141,9 @@ impl Evidence<'_> {
         let off = outcome.force_at_rest - 1.0;
         let pressed = self.over_bed && outcome.force_at_rest != 0.0;
         (pressed && off.abs() > OFF_OVER_BED).then(|| {
+            let (percent, how) = (100.0 * off.abs(), if off > 0.0 { "more" } else { "less" });
             format!(
-                "force at rest: still water pressed the wall {:+.0} % more than it should",
-                100.0 * off
+                "force at rest: still water pressed the wall {percent:.0} % {how} than it should"
             )
         })
     }

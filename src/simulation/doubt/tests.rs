@@ -153,8 +153,9 @@ fn still_water_over_a_bed_presses_as_it_should() {
         doubt(&outcome, [0.0, 0.0], 0.0, |e| (e.over_bed, e.lopsided) = (over_bed, None))
     };
     assert_eq!([with(false, 0.19), with(true, 0.97), with(true, 0.0)], [None, None, None]);
-    let told = "force at rest: still water pressed the wall -81 % more than it should";
+    let told = "force at rest: still water pressed the wall 81 % less than it should";
     assert_eq!(with(true, 0.19).unwrap(), told);
+    assert!(with(true, 1.36).unwrap().ends_with(" 36 % more than it should"));
 }
 
 #[test]
