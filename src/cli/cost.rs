@@ -64,15 +64,15 @@ fn support_share(ratio: f64) -> f64 {
 }
 
 /// Particle-steps per second and core. Those of δ-SPH, with supports of five spacings and one full
-/// step in three, lie between the two machines of docs/measured.md. Those of incompressible water
-/// are from the EPYC for `sweeps/scenes/movable_wall.toml` at 12.5 mm.
+/// step in three, lie between the two machines of docs/measured.md, 5.0 and 9.6 million with AVX-512.
+/// So do those of incompressible water, for `sweeps/scenes/movable_wall.toml` at 12.5 mm.
 fn particle_steps_per_second(scheme: Scheme, simd: SimdPath) -> f64 {
     match (scheme, simd) {
-        (Scheme::Isph, SimdPath::Portable) => 3.5e5,
-        (Scheme::Isph, _) => 8e5,
-        (Scheme::Wcsph, SimdPath::Avx512) => 9e6,
-        (Scheme::Wcsph, SimdPath::Avx2) => 5e6,
-        (Scheme::Wcsph, SimdPath::Portable) => 2.4e6,
+        (Scheme::Isph, SimdPath::Portable) => 2.7e5,
+        (Scheme::Isph, _) => 6e5,
+        (Scheme::Wcsph, SimdPath::Avx512) => 7e6,
+        (Scheme::Wcsph, SimdPath::Avx2) => 4.4e6,
+        (Scheme::Wcsph, SimdPath::Portable) => 2e6,
     }
 }
 
