@@ -5,8 +5,8 @@ use serde_json::{Value, json};
 use crate::math::decimal::significant;
 use crate::simulation::{CaseResult, HistoryRow, Maximum};
 
-/// Usual number of points of a curve.
-const MOST_POINTS: usize = 1000;
+/// Usual number of points of a long curve.
+const USUAL_POINTS: usize = 1000;
 
 /// F*, R* and X* over time, at each change, with the ends of their axes.
 pub(super) fn curves(result: &CaseResult, force_unit: &str) -> Value {
@@ -40,13 +40,13 @@ pub(super) fn curves(result: &CaseResult, force_unit: &str) -> Value {
     json!({ "time_s": times.collect::<Value>(), "curves": curves })
 }
 
-/// Rows of a history, at most so many, with every peak: the first of every few, and those in which force,
-/// runup or displacement is lowest or highest among them.
+/// Rows of a history with every peak, some [`USUAL_POINTS`] of a long one: the first of every few, and those in which
+/// force, runup or displacement is lowest or highest among them.
 fn telling(history: &[HistoryRow]) -> Vec<&HistoryRow> {
-    let size = history.len().div_ceil(MOST_POINTS / 4).max(1);
+    let size = history.len().div_ceil(USUAL_POINTS / 4).max(1);
     let of: [fn(&HistoryRow) -> f64; 3] =
         [|row| row.force, |row| row.runup, |row| row.displacement];
-    let told = |rows: &'_ [HistoryRow]| {
+    let told = |rows: &[HistoryRow]| {
         let extreme = of.iter().flat_map(|of| {
             let by = |&a: &usize, &b: &usize| of(&rows[a]).total_cmp(&of(&rows[b]));
             [(0..rows.len()).min_by(by), (0..rows.len()).max_by(by)]
@@ -119,7 +119,7 @@ mod tests {
         };
         let rows: Vec<_> = (0..5000).map(row).collect();
         let told = telling(&rows);
-        assert!(told.len() <= MOST_POINTS, "{}", told.len());
+        assert!(told.len() <= USUAL_POINTS, "{}", told.len());
         assert!(told.iter().any(|row| row.force == 3.0) && told.iter().any(|row| row.runup < 0.0));
         assert!(told.windows(2).all(|pair| pair[0].time_s < pair[1].time_s));
     }

@@ -12,6 +12,7 @@ use crate::scene::Scene;
 
 /// A later force is mentioned if it is larger than the first impact's by more than this share.
 const NOTABLE: f64 = 0.02;
+
 /// The column with the largest force of a case.
 pub fn column(row: &Row) -> &'static Column {
     row.impact(&FIRST_FORCE_MAX, &FORCE_MAX)
