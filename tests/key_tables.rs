@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use seawall::keys::{Key, Section, Shape};
-use seawall::scene::{Kind, Numerics, Preset, numerics_keys, probe_keys, scene_keys};
+use seawall::scene::{Kind, Numerics, Preset, SUITED, numerics_keys, probe_keys, scene_keys};
 use seawall::study::{limits_keys, refine_keys};
 use toml::{Table, Value};
 
@@ -34,9 +34,16 @@ fn table(keys: &[&Key], sets: &[(&str, Table)]) -> String {
         if sets.is_empty() {
             values = format!(" {} |", code(&key.default_in_words()));
         }
+        let suited =
+            !sets.is_empty() && SUITED.iter().any(|suited| suited.of_key(key.name).is_some());
+        let others = if suited {
+            " [Other defaults](water.md#defaults-by-scene) in some scenes."
+        } else {
+            ""
+        };
         let (name, unit) = (key.name, key.rule.unit);
         text += &format!(
-            "| `{name}` | {unit} |{values} {} | {} |\n",
+            "| `{name}` | {unit} |{values} {} | {}{others} |\n",
             allowed(key),
             key.meaning_in_markdown()
         );
@@ -95,14 +102,38 @@ fn the_docs_have_the_tables_of_the_declarations() {
         tables += 1;
     }
     assert_eq!(tables, Kind::ALL.len() + 4, "every section has its table");
+    renew_or_compare(&path, &text, &renewed);
+}
+
+/// Writes a document anew where that is asked for, or tells that it is out of date.
+fn renew_or_compare(path: &Path, text: &str, renewed: &str) {
     if std::env::var_os("RENEW_DOCS").is_some() {
-        fs::write(&path, renewed).unwrap();
+        fs::write(path, renewed).unwrap();
     } else {
         assert!(
             renewed == text,
-            "docs/files.md is out of date: run `RENEW_DOCS=1 cargo test --release --test house key_tables`"
+            "{} is out of date: run `RENEW_DOCS=1 cargo test --release --test house key_tables`",
+            path.display()
         );
     }
+}
+
+/// The story: a default of some scenes changes in the code, and the document goes on telling the old one.
+#[test]
+fn the_docs_have_the_defaults_by_scene() {
+    const START: &str = "<!-- defaults by scene -->\n";
+    const END: &str = "<!-- end of defaults -->";
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/water.md");
+    let text = fs::read_to_string(&path).unwrap();
+    let (before, rest) = text.split_once(START).unwrap();
+    let (_, after) = rest.split_once(END).unwrap();
+    let mut table = "| scenes | keys | why |\n|---|---|---|\n".to_owned();
+    for suited in SUITED {
+        let keys = suited.keys.iter().map(|(key, value)| format!("`{key} = {value}`"));
+        let keys = keys.collect::<Vec<_>>().join(", ");
+        table += &format!("| {} | {keys} | {} |\n", suited.scenes, suited.why);
+    }
+    renew_or_compare(&path, &text, &format!("{before}{START}{table}{END}{after}"));
 }
 
 #[test]

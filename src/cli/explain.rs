@@ -64,15 +64,15 @@ const INDENT: usize = 11;
 
 fn explained(entry: &Entry) -> String {
     let mut text = format!("{}: {}\n", entry.name, entry.of);
-    let lines = [
+    let mut lines = vec![
         ("symbol", &entry.symbol),
         ("meaning", &entry.meaning),
         ("unit", &entry.unit),
         ("allowed", &entry.allowed),
         ("default", &entry.default),
-        ("only with", &entry.only),
-        ("see also", &entry.besides),
     ];
+    lines.extend(entry.suited.iter().map(|told| ("or", told)));
+    lines.extend([("only with", &entry.only), ("see also", &entry.besides)]);
     for (label, value) in lines.into_iter().filter(|(_, value)| !value.is_empty()) {
         let lines = wrapped(value, WIDTH - INDENT - 2);
         for (number, line) in lines.iter().enumerate() {

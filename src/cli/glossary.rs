@@ -4,9 +4,11 @@ use serde::Serialize;
 
 use crate::keys::Key;
 use crate::quantities::{Quantity, energy, envelope, history, named, summary, wave};
-use crate::scene::{Kind, numerics_keys, probe_keys, scene_keys};
+use crate::scene::{Kind, SUITED, numerics_keys, probe_keys, scene_keys};
 use crate::study::{accuracy_keys, limits_keys, refine_keys};
 
+/// The place of the keys of numerics.
+const NUMERICS: &str = "key of [numerics]";
 /// The place of the keys of `refine`.
 const REFINE: &str = "key of [grid] refine";
 /// The place of the keys of a kind of scenes, without the kind's name.
@@ -32,6 +34,9 @@ pub(super) struct Entry {
     /// What a key holds where a file does not give it.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub default: String,
+    /// What it holds by default in some scenes, where that is something else.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub suited: Vec<String>,
     /// Where a key applies.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub only: String,
@@ -64,7 +69,7 @@ pub(super) fn entries() -> Vec<Entry> {
     };
     let mut all: Vec<_> = kinds.flat_map(of_kind).collect();
     let groups = [
-        ("key of [numerics]", numerics_keys()),
+        (NUMERICS, numerics_keys()),
         ("key of [[probe]]", probe_keys()),
         ("key of [accuracy]", accuracy_keys()),
         ("key of [limits]", limits_keys()),
@@ -105,9 +110,19 @@ fn of_key(key: &Key, of: &str) -> Entry {
         unit: key.rule.unit.to_owned(),
         allowed: key.allowed_in_words(),
         default: key.default_in_words(),
+        suited: if of == NUMERICS { suited(key.name) } else { Vec::new() },
         only: key.where_in_words(),
         ..Entry::default()
     }
+}
+
+/// Other defaults of a key of the numerics, in some scenes.
+fn suited(name: &str) -> Vec<String> {
+    SUITED
+        .iter()
+        .filter_map(|suited| suited.of_key(name))
+        .map(|told| without_links(&told))
+        .collect()
 }
 
 fn of_summary(column: &crate::quantities::Column) -> Entry {

@@ -6,10 +6,11 @@ use toml::Table;
 use super::declared::{Place, refuse_unknown};
 use super::kind::{Kind, Scene};
 use super::numerics::{ErrorBars, LEAST_SOUND_SPEED_RATIO, Numerics, Scheme};
-use super::preset::{Preset, sound_speed_ratio};
+use super::preset::Preset;
 use super::probe::Probe;
 use super::seawall::SeawallScene;
 use super::size;
+use super::suited::sound_speed_ratio;
 use crate::keys::{ConfigError, Section, Shared};
 
 /// One case: everything that decides its answer, and nothing else.

@@ -4,7 +4,7 @@ use toml::Table;
 
 use super::kind::{Kind, OfKind};
 use super::numerics::Numerics;
-use super::preset::Base;
+use super::numerics_of_scene::Base;
 use super::probe::Probe;
 use crate::keys::{ConfigError, Key, Section, Shape};
 

@@ -83,11 +83,9 @@ section! {
         scheme: Scheme = Scheme::Wcsph, plain();
         /// Smoothing kernel.
         kernel: KernelChoice = KernelChoice::WendlandC2, plain();
-        /// Support radius of the kernel over the particle spacing. The preset `default` has 5 for
-        /// waves at upright walls and standing waves alone, and 4 for all else.
+        /// Support radius of the kernel over the particle spacing.
         support_radius_ratio: f64 = 5.0, plain().within(2.0, 8.0).label("support radius/Δx");
-        /// How ghost particles get their values. Trains, standing waves, beds that are not level, crests, and waves that come
-        /// back to a leaning wall (see `volume_feedback`) have `normalized` by default.
+        /// How ghost particles get their values.
         boundary: BoundaryChoice = BoundaryChoice::ImprovedShepard, weakly(plain());
         /// Exponent λ of the improved Shepard weight (Huang et al. 2019, Eq. 20).
         shepard_lambda: f64 = 2.0,
@@ -100,16 +98,15 @@ section! {
         /// Largest Σ|w_j| of the weights that may be used, before a simpler method stands in.
         amplification_limit: f64 = AMPLIFICATION_LIMIT, plain().within(1.0, 1e6)
             .read_where("boundary", &["sfdi", "mls-linear", "mls-quadratic"]);
-        /// What gravity makes of a ghost's pressure. `falling` takes the water's own acceleration along walls off it. Wave
-        /// trains and standing waves have that by default.
+        /// What gravity makes of a ghost's pressure. `falling` takes the water's own acceleration along
+        /// walls off it.
         ghost_gravity: GhostGravity = GhostGravity::InSum, weakly(plain());
         /// Tangential condition at walls.
         slip: Slip = Slip::Free, weakly(plain());
         /// Particle spacing. It is stretched slightly, so that whole columns fill the tank. It is at most a
         /// quarter of the depth, and no finer than 20,000,000 particles allow.
         particle_spacing_m: f64 = 0.01, unit("m").above_zero();
-        /// c0 / √(g h). Solitary waves at upright walls over a level bed have 8 √(h / (12.5 Δx)) by
-        /// default, 10.12 with 20 rows of particles: error by sound then falls as the spacing does.
+        /// c0 / √(g h).
         sound_speed_ratio: f64 = 8.0, weakly(plain().within(LEAST_SOUND_SPEED_RATIO, 200.0));
         /// State equation.
         state_equation: StateEquationChoice = StateEquationChoice::Linear, weakly(plain());
@@ -117,61 +114,43 @@ section! {
         /// and energy; off in both papers.
         corrected_gradients: bool = true, weakly(plain()).label("gradient correction");
         /// The correction of a full step comes from the step before. This takes it on to the present, as
-        /// far as it has changed in that step. Trains, standing waves, and solitary waves at upright walls over beds no
-        /// steeper than 1:2, have it by default.
+        /// far as it has changed in that step.
         extrapolated_correction: bool = false, weakly(plain()).newer();
         /// Density diffusion.
         density_diffusion: DensityDiffusion = DensityDiffusion::Hydrostatic, weakly(plain());
         /// δ of Huang et al. 2019, Eq. 5.
         density_diffusion_coefficient: f64 = 0.1, weakly(plain().within(0.0, 1.0))
             .read_where("density_diffusion", &["renormalised", "hydrostatic", "molteni"]).label("δ");
-        /// α of Huang et al. 2019, Eq. 5. By default 0.1 with 4 spacings, and 0.09 for solitary waves at
-        /// upright walls over beds no steeper than 1:2. Still water before a wall that leans has 0.3 in runs of more than
-        /// 30 √(h/g).
+        /// α of Huang et al. 2019, Eq. 5.
         artificial_viscosity: f64 = 0.08, plain().within(0.0, 1.0).label("viscosity");
-        /// Artificial viscosity acts only on pairs that lose energy by it. Trains, standing waves, and solitary waves at
-        /// upright walls over beds no steeper than 1:2, have it off by default.
+        /// Artificial viscosity acts only on pairs that lose energy by it.
         limited_viscosity: bool = true, weakly(plain()).newer();
-        /// Particle shifting. Trains, standing waves, steep beds and waves that come back have `deep` by default, see `volume_feedback` and
-        /// `conservative_bed`.
+        /// Particle shifting.
         shifting: Shifting = Shifting::Interior, plain();
-        /// Strength A of the shifting. With 4 spacings by default 0.25.
+        /// Strength A of the shifting.
         shifting_coefficient: f64 = 0.5,
             plain().within(0.0, 10.0).read_where("shifting", &["interior", "deep"])
                 .label("shifting strength");
-        /// How fast the error of the particles' volume is taken back, over c0/R. Trains and standing waves have 0.002 by
-        /// default.
-        /// So do steep shores, which are beds steeper than 1:2 that come out of the still water, and such beds that end less than
-        /// one and a half rows under it. In runs of more than
-        /// 70 √(h/g) shores from 1:5 on have it, and in runs of more than 200 √(h/g) all. So do waves that come back:
-        /// a solitary wave is at its wall again, and the run lasts more than 70 √(h/g) and is without `stop_when_settled`.
-        /// It wants gravity and corrected gradients. With `isph` c0 is 8 √(g h) here, and dam breaks alone have it by
-        /// default, 0.006.
+        /// How fast the error of the particles' volume is taken back, over c0/R. It wants gravity and corrected
+        /// gradients. With `isph` c0 is 8 √(g h) here.
         volume_feedback: f64 = 0.0, plain().within(0.0, 0.02).newer();
-        /// The bed gives back to the water what work its pressure does, so no energy is made or lost there. Beds that
-        /// are steeper than 1:2 somewhere under still water have it by default, and in runs of more than 30 √(h/g) those
-        /// from 1:5 on. Stretches that come out of the water do not count for that. Shores have it for trains, and those
-        /// no steeper than 1:2 in runs of more than 200 √(h/g). A level bed does not read it.
+        /// The bed gives back to the water what work its pressure does, so no energy is made or lost there. A level bed
+        /// does not read it.
         conservative_bed: bool = false, weakly(plain()).newer();
         /// A wall that ends in a crest gives back what work its pressure does while water is at the crest, and what is
-        /// behind it does so all the time. Walls with a crest have it by default. Others do not read it.
+        /// behind it does so all the time. Other walls do not read it.
         conservative_crest: bool = false, weakly(plain()).newer();
-        /// How long the water is let come to rest before the clock starts, slowed down over a sixth of that time. Beds that
-        /// come out of the still water have 40 √(h/g) by default. So has still water before a wall that leans, in runs of
-        /// more than 30 √(h/g). It is for seawalls.
+        /// How long the water is let come to rest before the clock starts, slowed down over a sixth of that time. It is for
+        /// seawalls.
         relaxation_time_s: f64 = 0.0, weakly(unit("s").within(0.0, 1e4)).newer();
-        /// Water near the surface gives up what it presses by more than 5 ρgh, as the surface lets go of
-        /// sound. Solitary waves above H/h = 0.7 at upright walls over beds no steeper than 1:2 have it by
-        /// default, and dam breaks of more than 8 √(H/g) or 4 L/√(gH). It wants gravity and corrected gradients.
+        /// Water near the surface gives up what it presses by more than 5 ρgh, as the surface lets go of sound. It wants
+        /// gravity and corrected gradients.
         surface_relief: bool = false, weakly(plain()).newer();
-        /// c0 Δt / Δx. By default 0.6 in dam breaks, where water falls behind a wall, and where a wave may run up to a
-        /// wall that stands dry, up to 2 H over the still water. Boxes that water fills have 0.9. So have trains, and
-        /// runs of more than 200 √(h/g), before shores no steeper than 1:2.
+        /// c0 Δt / Δx.
         courant_number: f64 = 1.8, weakly(plain().within(1e-3, 2.5)).label("c0 Δt/Δx");
         /// γ: pressures are taken γ Δt ahead of the densities, which damps sound.
         bulk_damping: f64 = 0.1, weakly(plain().within(0.0, 1.0));
-        /// Steps per full step: the others follow the sound alone and hold the pairs' geometry. In a
-        /// dam break, and in a box that water fills, 1 by default.
+        /// Steps per full step: the others follow the sound alone and hold the pairs' geometry.
         acoustic_substeps: u32 = 3, weakly(plain().within(1.0, 8.0)).label("steps per full step");
         /// Upper bound on the time step.
         time_step_s: Option<f64> = None, unit("s").above_zero().label("time step bound");

@@ -7,7 +7,7 @@ use super::file::Accuracy;
 use super::limits::limits_keys;
 use super::refine::refine_keys;
 use crate::keys::{self, Key, Section};
-use crate::scene::{Kind, numerics_keys, probe_keys, scene_keys};
+use crate::scene::{Kind, SUITED, numerics_keys, probe_keys, scene_keys};
 
 /// The schema. Every file that `seawall check` accepts fits it. It does not cover conditions on two
 /// values at once, nor keys that a grid may leave out of its sections.
@@ -15,7 +15,7 @@ pub fn schema() -> Value {
     let word = "^[A-Za-z0-9_-][A-Za-z0-9._-]*$";
     let mut definitions: Map<_, _> =
         Kind::ALL.iter().map(|&kind| (scene_name(kind), keys::schema(&scene_keys(kind)))).collect();
-    definitions.insert("numerics".to_owned(), keys::schema(&numerics_keys()));
+    definitions.insert("numerics".to_owned(), numerics());
     json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "Sweep and scene files of seawall",
@@ -37,6 +37,18 @@ pub fn schema() -> Value {
 
 fn scene_name(kind: Kind) -> String {
     format!("scene.{}", kind.name())
+}
+
+/// The numerics, each key with its other defaults in some scenes.
+fn numerics() -> Value {
+    let mut schema = keys::schema(&numerics_keys());
+    for key in numerics_keys() {
+        let described = &mut schema["properties"][key.name]["description"];
+        let others = SUITED.iter().filter_map(|suited| suited.of_key(key.name));
+        let told: String = others.map(|told| format!(" By default {told}.")).collect();
+        *described = json!(described.as_str().unwrap_or_default().to_owned() + &told);
+    }
+    schema
 }
 
 /// A scene by its kind: each kind's schema, with the kind's name in `kind`.
