@@ -50,7 +50,7 @@ struct Line {
 /// `accuracy.csv`; `about` says what each case is. Returns the page's path.
 pub fn write(directory: &Path, about: &[(String, String)]) -> Result<PathBuf, ReportError> {
     let path = directory.join(ACCURACY);
-    let (header, records) = read_records(&path, false)?;
+    let (header, records) = read_records(&path)?;
     demand(&path, &header, HEADER.into_iter())?;
     let lines: Vec<Line> = deserialize(&path, &header, &records)?;
     let figures = directory.join(FIGURES);

@@ -67,12 +67,12 @@ pub fn dam_breaks(cases: usize) -> TempDir {
             writeln!(probes, "{time:.4},{:.3},{front}", 3000.0 * time.min(1.0)).unwrap();
         }
         fs::write(root.join(format!("probes/{id}.csv")), probes).unwrap();
-        let readings = "name,value,unit\nfront_at_wall,1.6123456789,sqrt(H/g), from rest\n\
+        let readings = "name,value,unit\nfront_at_wall,1.6123456789,sqrt(H/g)\n\
                         cavity_closure,,sqrt(H/g)\n";
         fs::write(root.join(format!("readings/{id}.csv")), readings).unwrap();
     }
     write_summary(root, "column_height_m", &rows);
-    let columns = "name,unit,method\nP1,Pa,right wall\nfront,m,water's edge; right, or left\n";
+    let columns = "name,unit,method\nP1,Pa,right wall\nfront,m,\"water's edge; right, or left\"\n";
     fs::write(root.join("probes/columns.csv"), columns).unwrap();
     let manifest = r#"{"name": "fixture", "keys": ["column_height_m"], "sweep_file": ""}"#;
     fs::write(root.join("manifest.json"), manifest).unwrap();

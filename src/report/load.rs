@@ -178,21 +178,15 @@ fn read_manifest(path: &Path) -> Option<Value> {
     serde_json::from_slice(&std::fs::read(path).ok()?).ok()
 }
 
-/// The columns of a table and its rows. If read `loosely`, cells beyond the columns are left out.
-/// In directories of earlier versions, words in the last column hold unquoted commas.
-pub(super) fn read_records(
-    path: &Path,
-    loosely: bool,
-) -> Result<(StringRecord, Vec<StringRecord>), ReportError> {
+/// The columns of a table and its rows.
+pub(super) fn read_records(path: &Path) -> Result<(StringRecord, Vec<StringRecord>), ReportError> {
     let wrong = |source| ReportError::Table { path: path.to_owned(), source };
     let text =
         fs::read(path).map_err(|error| ReportError::Read { path: path.to_owned(), error })?;
-    let mut reader = csv::ReaderBuilder::new().flexible(loosely).from_reader(text.as_slice());
+    let mut reader = csv::Reader::from_reader(text.as_slice());
     let header = reader.headers().map_err(wrong)?.clone();
     let records = reader.records().map(|record| record.map_err(wrong));
-    let mut records = records.collect::<Result<Vec<_>, _>>()?;
-    records.iter_mut().for_each(|record| record.truncate(header.len()));
-    Ok((header, records))
+    Ok((header, records.collect::<Result<_, _>>()?))
 }
 
 /// The columns of a table, and its rows read one by one: a large table is never held whole.

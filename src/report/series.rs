@@ -97,7 +97,7 @@ impl Loaded {
     pub fn readings(&self, case_id: &str) -> Result<Vec<Reading>, ReportError> {
         let path = of_case(&self.directory, READINGS, case_id);
         self.omitted.read(&path, |path| {
-            let (header, records) = read_records(path, true)?;
+            let (header, records) = read_records(path)?;
             demand(path, &header, ["name", "value", "unit"].into_iter())?;
             deserialize(path, &header, &records)
         })
@@ -107,7 +107,7 @@ impl Loaded {
     pub fn envelope(&self, case_id: &str) -> Result<Vec<Pressed>, ReportError> {
         let path = of_case(&self.directory, ENVELOPES, case_id);
         self.omitted.read(&path, |path| {
-            let (header, records) = read_records(path, false)?;
+            let (header, records) = read_records(path)?;
             demand(path, &header, envelope::ALL.iter().map(|column| column.name))?;
             deserialize(path, &header, &records)
         })
@@ -117,7 +117,7 @@ impl Loaded {
     fn columns(&self) -> Result<BTreeMap<String, [String; 2]>, ReportError> {
         let path = self.directory.join(PROBE_COLUMNS);
         self.omitted.read(&path, |path| {
-            let (header, records) = read_records(path, true)?;
+            let (header, records) = read_records(path)?;
             demand(path, &header, ["name", "unit"].into_iter())?;
             let at = |name: &str| header.iter().position(|column| column == name);
             let cell = |record: &StringRecord, name| {
@@ -132,7 +132,7 @@ impl Loaded {
 
 /// Reads a table over time.
 pub(super) fn series(path: &Path, needed: &[&'static str]) -> Result<History, ReportError> {
-    let (header, records) = read_records(path, false)?;
+    let (header, records) = read_records(path)?;
     demand(path, &header, needed.iter().copied())?;
     series_of(path, &header, &records)
 }
