@@ -9,10 +9,10 @@
 //! spacing and the precision. Others may be good by chance in the one or two cases that count.
 //! Error bars are only proven for the default scheme.
 
-use serde::Deserialize;
 use toml::Table;
 
 use super::matrix::Matrix;
+use crate::quantities::accuracy::Line;
 use crate::scene::CaseConfig;
 
 /// Keys that a method may set, besides the spacing, to be chosen.
@@ -41,16 +41,6 @@ struct Recipe {
     numerics: Table,
     /// By the number of the case: error of force and displacement, percent, and processor seconds.
     measured: Vec<Option<(f64, f64)>>,
-}
-
-/// The columns of `accuracy.csv` that are used.
-#[derive(Deserialize)]
-struct Measured {
-    case: String,
-    method: String,
-    force_error_percent: Option<f64>,
-    displacement_error_percent: Option<f64>,
-    cpu_time_s: Option<f64>,
 }
 
 /// Chosen numerics, and the reason.
@@ -106,7 +96,7 @@ impl AccuracyTable {
         };
         let mut methods: Vec<Recipe> = matrix.methods.iter().filter_map(recipe).collect();
         let mut reader = csv::Reader::from_reader(rows.as_bytes());
-        for row in reader.deserialize::<Measured>().flatten() {
+        for row in reader.deserialize::<Line>().flatten() {
             let case = cases.iter().position(|case| case.name == row.case);
             let method = methods.iter_mut().find(|method| method.name == row.method);
             let Some((case, method)) = case.zip(method) else { continue };

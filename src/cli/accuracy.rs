@@ -11,8 +11,8 @@ use crate::accuracy::{Errors, MethodScore, Scored, cheapest_within, methods, sco
 use crate::disk;
 use crate::disk::names::ACCURACY;
 use crate::keys::named;
-use crate::math::comma::csv;
-use crate::report::accuracy::{HEADER, write};
+use crate::quantities::accuracy::{Line, csv};
+use crate::report::accuracy::write;
 
 /// Run many methods on cases with known answers. Tell the error and the processor time of each.
 #[derive(Debug, Args)]
@@ -42,10 +42,8 @@ pub(super) fn main(args: &AccuracyArgs, output: &Output) -> anyhow::Result<u8> {
         [Errors::All, Errors::Loads].map(|group| methods(&ran.matrix, &scored, group));
     let about: Vec<_> =
         ran.matrix.cases.iter().map(|case| (case.name.clone(), case.about.clone())).collect();
-    disk::put(
-        &ran.out.join(ACCURACY),
-        table_of(&scored, &[(Errors::All, &scores), (Errors::Loads, &loads)]),
-    )?;
+    let lines = lines(&scored, &[(Errors::All, &scores), (Errors::Loads, &loads)]);
+    disk::put(&ran.out.join(ACCURACY), csv(&lines))?;
     let page = write(&ran.out, &about)?;
     let mut table =
         Table::new(["method", "error, %", "worst, %", "cpu, s", "failed", "on the front"]);
@@ -77,34 +75,34 @@ pub(super) fn main(args: &AccuracyArgs, output: &Output) -> anyhow::Result<u8> {
 }
 
 /// A line for every pair, then for every method a line over all cases, named after the group.
-fn table_of(scored: &[Scored], groups: &[(Errors, &Vec<MethodScore>)]) -> String {
-    let mut rows = vec![HEADER.map(str::to_owned)];
-    let number = |value: Option<f64>| value.map(|value| format!("{value:.4}")).unwrap_or_default();
-    for row in scored {
+fn lines(scored: &[Scored], groups: &[(Errors, &Vec<MethodScore>)]) -> Vec<Line> {
+    let pair = |row: &Scored| {
         let errors: Vec<f64> = row.errors().collect();
         let mean = errors.iter().map(|e| e * e).sum::<f64>() / errors.len().max(1) as f64;
-        let mean = (!errors.is_empty()).then(|| mean.sqrt());
-        rows.push([
-            row.case.clone(),
-            row.method.clone(),
-            number(row.force_error_percent),
-            number(row.runup_error_percent),
-            number(row.displacement_error_percent),
-            number(row.flow_error_percent),
-            number(mean),
-            number(row.cpu_time_s),
-            String::new(),
-            row.reason.clone(),
-        ]);
-    }
-    for (group, scores) in groups {
-        for score in *scores {
-            let pareto = if score.pareto { "yes" } else { "no" };
-            let (mean, time) = (number(score.error_percent), number(Some(score.cpu_time_s)));
-            let name = group.name();
-            let row = [name, &score.method, "", "", "", "", &mean, &time, pareto, ""];
-            rows.push(row.map(str::to_owned));
+        Line {
+            case: row.case.clone(),
+            method: row.method.clone(),
+            force_error_percent: row.force_error_percent,
+            runup_error_percent: row.runup_error_percent,
+            displacement_error_percent: row.displacement_error_percent,
+            flow_error_percent: row.flow_error_percent,
+            error_percent: (!errors.is_empty()).then(|| mean.sqrt()),
+            cpu_time_s: row.cpu_time_s,
+            reason: row.reason.clone(),
+            ..Line::default()
         }
-    }
-    csv(rows)
+    };
+    let sums = |(group, scores): &(Errors, &Vec<MethodScore>)| {
+        let name = group.name();
+        let sum = move |score: &MethodScore| Line {
+            case: name.to_owned(),
+            method: score.method.clone(),
+            error_percent: score.error_percent,
+            cpu_time_s: Some(score.cpu_time_s),
+            pareto: if score.pareto { "yes" } else { "no" }.to_owned(),
+            ..Line::default()
+        };
+        scores.iter().map(sum).collect::<Vec<_>>()
+    };
+    scored.iter().map(pair).chain(groups.iter().flat_map(sums)).collect()
 }

@@ -1,13 +1,15 @@
 //! The reported quantities, each declared once: name, unit, symbol, meaning, digits, error bar and
 //! where its value is read.
 //!
-//! [`summary`] declares the columns of `summary.csv`, [`history`] those of `histories/*.csv` and
-//! [`energy`] those of `energy.csv`, [`envelope`] those of `envelopes/*.csv`, [`wave`] those of `waves/*.csv`. The sweep writes its files from the declarations, the terminal
-//! and the report take headings and digits from them, and `docs/files.md` holds their tables. To add
-//! a quantity, add an entry to one of the lists.
+//! [`summary`] declares the columns of `summary.csv`, [`history`] those of `histories/*.csv`,
+//! [`energy`] those of `energy.csv`, [`envelope`] those of `envelopes/*.csv`, [`wave`] those of
+//! `waves/*.csv`, and [`accuracy`] those of `accuracy.csv`. The sweep writes its files from the
+//! declarations, the terminal and the report take headings and digits from them, and `docs/files.md`
+//! holds their tables. To add a quantity, add an entry to one of the lists.
 //!
 //! The report reads files: it uses what a declaration says, and never a [`Case`] or a reader.
 
+pub mod accuracy;
 mod case;
 mod column;
 #[cfg(test)]
