@@ -17,9 +17,13 @@ use common::{
     summaries, text,
 };
 
-/// Places among [`COMPARED`], and the columns of their bars.
-const READINGS: [(usize, &str); 3] =
-    [(FORCE, "force_error"), (RUNUP, "runup_error"), (DISPLACEMENT, "displacement_error")];
+/// What is judged, and the columns of the bars.
+const READINGS: [(&Compared, &str); 4] = [
+    (&COMPARED[FORCE], "force_error"),
+    (&COMPARED[RUNUP], "runup_error"),
+    (&COMPARED[DISPLACEMENT], "displacement_error"),
+    (&MOMENT, "moment_error"),
+];
 
 /// The least share of bars that hold the truth, percent: below it they promise too much.
 const LEAST: f64 = 90.0;
@@ -84,17 +88,11 @@ fn line(reading: &Compared, wave: &str, bars: &[Bar]) -> String {
     let worst = bars.iter().max_by(|a, b| a.error.abs().total_cmp(&b.error.abs()));
     let worst = worst.map(|bar| format!("{:+.3} at {}", bar.error, bar.case)).unwrap_or_default();
     let errors = sorted(bars.iter().map(|bar| bar.error.abs()));
-    let held = match bars.iter().any(|bar| bar.size.is_finite()) {
-        true => format!(
-            "{:.1} % | {:.4}",
-            share(bars),
-            median(&sorted(bars.iter().map(|bar| bar.size)))
-        ),
-        false => "no bars | ".to_owned(),
-    };
     format!(
-        "| {name}, {unit} | {wave} | {} | {held} | {:.4} | {:.4} | {worst} |\n",
+        "| {name}, {unit} | {wave} | {} | {:.1} % | {:.4} | {:.4} | {:.4} | {worst} |\n",
         bars.len(),
+        share(bars),
+        median(&sorted(bars.iter().map(|bar| bar.size))),
         median(&errors),
         nine_in_ten(&errors),
     )
@@ -145,8 +143,7 @@ fn judge(rows: &[Row], truths: &[Row]) -> Result<(String, Vec<String>)> {
         faults.push(format!("{}: failed: {}", KEYS.map(cell).join(", "), cell("reason")));
     }
     let mut any = false;
-    for (place, bar) in READINGS {
-        let reading = &COMPARED[place];
+    for (reading, bar) in READINGS {
         let mut bars: Vec<_> =
             rows.iter().filter_map(|row| Bar::new(row, truths, reading, bar)).collect();
         if bars.is_empty() {
@@ -161,8 +158,6 @@ fn judge(rows: &[Row], truths: &[Row]) -> Result<(String, Vec<String>)> {
         faults.extend(broken(reading.name, &bars));
     }
     ensure!(any, "no row has a truth");
-    let moments = rows.iter().filter_map(|row| Bar::new(row, truths, &MOMENT, "no bar"));
-    page += &lines(&MOMENT, &mut moments.collect::<Vec<_>>());
     page +=
         "\nBars that do not hold:\n\n| reading | H/h, k, m | error | bar |\n|---|---|---|---|\n";
     page += &missed;

@@ -9,8 +9,8 @@ use super::{CASES_FAILED, INTERRUPTED, SUCCESS, lost_bars};
 use crate::execute::Ending;
 use crate::math::simd::SimdPath;
 use crate::quantities::summary::{
-    COARSE_SPACING, DISPLACEMENT_ERROR, FORCE_ERROR, FORCE_MAX_ERROR, OVERTOPPING_VOLUME_ERROR,
-    RUNUP_ERROR, RUNUP_MAX_ERROR,
+    COARSE_SPACING, DISPLACEMENT_ERROR, FORCE_ERROR, FORCE_MAX_ERROR, MOMENT_ERROR,
+    MOMENT_MAX_ERROR, OVERTOPPING_VOLUME_ERROR, RUNUP_ERROR, RUNUP_MAX_ERROR,
 };
 use crate::quantities::{Bars, Value as Cell};
 use crate::results::{CaseRecord, Directory, OpenMode, Savings, SweepError, finished_whole};
@@ -111,6 +111,8 @@ impl Done {
             (&FORCE_MAX_ERROR, bars.whole_force),
             (&RUNUP_MAX_ERROR, bars.whole_runup),
             (&OVERTOPPING_VOLUME_ERROR, bars.overtopping),
+            (&MOMENT_ERROR, bars.moment),
+            (&MOMENT_MAX_ERROR, bars.whole_moment),
         ];
         let bars = bars.into_iter().map(|(column, bar)| (column.name.to_owned(), json!(bar)));
         value["error_bars"] = Value::Object(bars.collect());

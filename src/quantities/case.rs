@@ -41,6 +41,10 @@ pub struct Bars {
     pub whole_force: Option<f64>,
     /// Of `runup_max`.
     pub whole_runup: Option<f64>,
+    /// Of `first_moment_max`.
+    pub moment: Option<f64>,
+    /// Of `moment_max`.
+    pub whole_moment: Option<f64>,
     /// Of `overtopping_volume_m2`.
     pub overtopping: Option<f64>,
 }

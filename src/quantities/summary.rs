@@ -165,11 +165,12 @@ quantities! { Read;
     DOUBTFUL_REASON = text("doubtful_reason", "", |c| c.outcome?.doubtful_reason.clone());
     /// largest moment M* (running mean) of the water about the wall's foot, of the whole run; 1 is
     /// that of still water on an upright wall, see [physics.md](physics.md#loads-on-the-wall)
-    MOMENT_MAX = maximum("moment_max", "M* max", Moment, |c| c.outcome?.moment_max);
+    MOMENT_MAX = maximum("moment_max", "M* max", Moment, |c| c.outcome?.moment_max)
+        .bar("moment_max_error");
     /// largest moment M* (running mean) of the first impact
     FIRST_MOMENT_MAX = maximum("first_moment_max", "first M*", Moment, |c| {
         c.outcome?.first_moment_max
-    }).of_a_single_wave();
+    }).bar("moment_error").of_a_single_wave();
     /// integral of F* - 1 over the first impact
     FIRST_IMPULSE = number("first_impulse", "first impulse", Impulse, |c| {
         c.outcome?.first_impulse
@@ -208,6 +209,12 @@ quantities! { Read;
     OVERTOPPING_VOLUME_ERROR = number("overtopping_volume_error_m2", "", SquareMetres, |c| {
         c.bars.overtopping
     }).significant(3);
+    /// error bar of `first_moment_max`
+    MOMENT_ERROR = number("moment_error", "", Moment, |c| c.bars.moment)
+        .significant(3).of_a_single_wave();
+    /// error bar of `moment_max`
+    MOMENT_MAX_ERROR = number("moment_max_error", "", Moment, |c| c.bars.whole_moment)
+        .significant(3);
 }
 
 /// The columns of the first version, which every directory has.

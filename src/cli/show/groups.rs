@@ -47,8 +47,9 @@ mod tests {
         let (results, health, parameters) = groups();
         let told = results.len() + health.len() + parameters.len();
         let beside = ["force_error", "runup_error", "displacement_error", "force_max_error"];
-        let more = ["runup_max_error", "overtopping_volume_error_m2", "displacement_truncated"];
-        let beside = beside.len() + more.len();
+        let more = ["runup_max_error", "moment_error", "moment_max_error"];
+        let rest = ["overtopping_volume_error_m2", "displacement_truncated"];
+        let beside = beside.len() + more.len() + rest.len();
         assert_eq!(told, ALL.len() - beside - 2, "all but the id, the status, bars and flags");
         assert!(parameters.iter().any(|column| column.name == "particle_spacing_m"));
         assert!(health.iter().any(|column| column.name == "doubtful_reason"));

@@ -17,7 +17,7 @@ fn the_columns_are_those_of_the_contract() {
         moment_max_time_s,first_moment_max,first_moment_max_time_s,first_impulse,rise_time_s,\
         spring_force_max,spring_force_max_time_s,overtopping_volume_m2,\
         overtopping_discharge_max_m2_per_s,crest_thickness_max_m,crest_speed_max_m_per_s,coarse_spacing,\
-        overtopping_volume_error_m2";
+        overtopping_volume_error_m2,moment_error,moment_max_error";
     assert_eq!(names().collect::<Vec<_>>().join(","), contract);
 }
 

@@ -5,8 +5,8 @@ use crate::math::lists::median;
 use crate::math::words::listed;
 use crate::quantities::Column;
 use crate::quantities::summary::{
-    DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, OVERTOPPING_VOLUME, RUNUP_MAX,
-    WAVE_HEIGHT_RATIO,
+    DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_MOMENT_MAX, FIRST_RUNUP_MAX, FORCE_MAX, MOMENT_MAX,
+    OVERTOPPING_VOLUME, RUNUP_MAX, WAVE_HEIGHT_RATIO,
 };
 use crate::report::load::Loaded;
 use crate::report::number::significant;
@@ -17,10 +17,11 @@ use crate::report::row::Row;
 /// percent. Bars of runups are in depths, as still water has no runup. V is the volume over a crest.
 type Number = (&'static str, &'static Column, &'static Column, bool);
 
-const NUMBERS: [Number; 4] = [
+const NUMBERS: [Number; 5] = [
     ("F*", &FIRST_FORCE_MAX, &FORCE_MAX, true),
     ("R*", &FIRST_RUNUP_MAX, &RUNUP_MAX, false),
     ("X*", &DISPLACEMENT_MAX, &DISPLACEMENT_MAX, true),
+    ("M*", &FIRST_MOMENT_MAX, &MOMENT_MAX, true),
     ("V", &OVERTOPPING_VOLUME, &OVERTOPPING_VOLUME, true),
 ];
 

@@ -1,0 +1,118 @@
+use super::super::made_up::made_up;
+use super::*;
+use crate::simulation::Overtopped;
+
+fn config(spacing: f64) -> CaseConfig {
+    let scene = "wall = \"movable\"\nspring_stiffness_n_per_m = 1\nseawall_mass_kg_per_m = 50";
+    CaseConfig::of(scene, &format!("particle_spacing_m = {spacing:?}"))
+}
+
+/// Readings that converge to 2, 1 and 3 with order `order`, on an exact wave.
+fn outcome(spacing: f64, order: f64) -> Outcome {
+    let mut outcome = made_up(&config(spacing)).outcome;
+    let maximum = |value| Some(Maximum { value, time_s: 2.0 });
+    let error = (spacing / 0.1).powf(order);
+    outcome.measured_wave_height_ratio = Some(0.5);
+    outcome.first_force_max = maximum(2.0 + error);
+    outcome.force_max.value = 2.5 + error;
+    outcome.runup_max.value = 1.2 - error;
+    outcome.first_runup_max = maximum(1.0 - error);
+    outcome.displacement_max = maximum(3.0 - 2.0 * error);
+    outcome.first_moment_max = maximum(3.5 + 3.0 * error);
+    outcome.moment_max = maximum(4.0 + 3.0 * error);
+    outcome
+}
+
+fn bars(spacings: &[f64], order: f64) -> ErrorBars {
+    let runs: Vec<_> =
+        spacings.iter().map(|&spacing| (config(spacing), outcome(spacing, order))).collect();
+    let companions: Vec<_> = runs[1..].iter().map(|(config, outcome)| (config, outcome)).collect();
+    ErrorBars::new(&runs[0].0, &runs[0].1, &companions)
+}
+
+#[test]
+fn richardson_is_exact_for_the_first_order() {
+    let read = |spacing: f64| 1.0 + 3.0 * spacing;
+    assert!((richardson(read(0.1), read(0.2), 2.0) - 0.3).abs() < 1e-12);
+}
+
+#[test]
+fn the_limit_lies_inside_for_every_order_from_one() {
+    for order in [1.0, 1.5, 2.0] {
+        for spacings in [&[0.01, 0.02][..], &[0.01, 0.01 * std::f64::consts::SQRT_2, 0.02]] {
+            let bars = bars(spacings, order);
+            let error = 0.1_f64.powf(order);
+            assert!(bars.force.unwrap() >= error && bars.runup.unwrap() >= error);
+            assert!(bars.whole_force.unwrap() >= error && bars.whole_runup.unwrap() >= error);
+            assert!(bars.displacement.unwrap() >= 2.0 * error);
+            assert!(bars.moment.unwrap() >= 3.0 * error);
+            assert!(bars.whole_moment.unwrap() >= 3.0 * error);
+            assert!(bars.force.unwrap() < 3.0 * error + 0.02, "{order}: {bars:?}");
+        }
+    }
+}
+
+/// A case's error by sound, proportional to 1/c0², is covered by its companions, for any c0.
+#[test]
+fn the_error_by_sound_lies_inside() {
+    for ratio in [8.0, 10.12, 16.0] {
+        let mut own = config(0.01);
+        own.numerics.sound_speed_ratio = ratio;
+        let coarse = own.coarsened(2.0).unwrap();
+        let told = |config: &CaseConfig| {
+            let error = 0.5 / config.numerics.sound_speed_ratio.powi(2);
+            let mut outcome = outcome(0.01, 40.0);
+            outcome.first_runup_max = Some(Maximum { value: 1.0 + error, time_s: 2.0 });
+            (outcome, error)
+        };
+        let ((fine, error), (coarser, _)) = (told(&own), told(&coarse));
+        let bar = ErrorBars::new(&own, &fine, &[(&coarse, &coarser)]).runup.unwrap();
+        assert!(bar >= 0.99 * error && bar < error + 0.0031, "{ratio}: {bar} for {error}");
+    }
+}
+
+#[test]
+fn agreement_by_accident_leaves_scatter() {
+    let (own, told) = (config(0.01), outcome(0.01, 1.0));
+    let bars = ErrorBars::new(&own, &told, &[(&config(0.02), &told)]);
+    assert!((bars.force.unwrap() - FORCE_SCATTER * 2.1).abs() < 1e-12);
+    assert!((bars.runup.unwrap() - LEVEL_SCATTER * 0.05).abs() < 1e-12);
+    assert!((bars.displacement.unwrap() - DISPLACEMENT_SCATTER * 2.8).abs() < 1e-12);
+    assert!((bars.moment.unwrap() - MOMENT_SCATTER * 3.8).abs() < 1e-12);
+    assert!((bars.whole_moment.unwrap() - MOMENT_SCATTER * 4.3).abs() < 1e-12);
+}
+
+/// A volume over a crest also has a bar if a companion has a volume. If it is dry at both
+/// spacings, the bar is 0.
+#[test]
+fn what_goes_over_a_crest_has_a_bar() {
+    let told = |volume_m2, thickness_max_m| {
+        let over = Overtopped { volume_m2, thickness_max_m, ..Overtopped::default() };
+        Outcome { overtopped: Some(over), ..outcome(0.01, 1.0) }
+    };
+    let bar = |own: &Outcome, other: &Outcome| {
+        ErrorBars::new(&config(0.01), own, &[(&config(0.02), other)]).overtopping
+    };
+    assert_eq!(bar(&told(0.0, 0.0), &told(0.0, 0.0)), Some(0.0));
+    let far = bar(&told(0.01, 0.03), &told(0.016, 0.05)).unwrap();
+    assert!((far - 0.006_f64.hypot(0.01_f64 * 0.03)).abs() < 1e-15, "{far}");
+    assert_eq!(bar(&told(0.01, 0.03), &outcome(0.02, 1.0)), None);
+}
+
+#[test]
+fn no_bar_is_narrower_than_the_narrowest() {
+    let (own, told) = (config(0.01), outcome(0.01, 40.0));
+    let bars = ErrorBars::new(&own, &told, &[(&config(0.02), &told)]);
+    let percent = |bar: Option<f64>, value: f64| 100.0 * bar.unwrap() / value;
+    let first = told.first_force_max.unwrap().value;
+    let widest = percent(bars.force, first)
+        .max(percent(bars.displacement, told.displacement_max.unwrap().value));
+    let narrowest = narrowest_bar_percent(&own).unwrap();
+    assert!(narrowest > 0.25 && widest > narrowest * (1.0 - 1e-12), "{widest} {narrowest}");
+    assert!(widest < 2.0 * narrowest, "{widest} {narrowest}");
+}
+
+#[test]
+fn without_companions_there_are_no_bars() {
+    assert_eq!(bars(&[0.01], 1.0), ErrorBars::default());
+}
