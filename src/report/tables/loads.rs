@@ -4,13 +4,14 @@ use super::{Field, Lines, fields, over_goda, table, variant};
 use crate::quantities::Column;
 use crate::quantities::summary::{
     CASE_ID, CREST_SPEED, CREST_THICKNESS, FIRST_FORCE_MAX, FIRST_IMPULSE, FIRST_MOMENT_MAX,
-    FORCE_MAX, MOMENT_MAX, OVERTOPPING_DISCHARGE, OVERTOPPING_VOLUME, OVERTOPPING_VOLUME_ERROR,
-    RISE_TIME, SPRING_FORCE_MAX,
+    FORCE_ERROR, FORCE_MAX, FORCE_MAX_ERROR, MOMENT_ERROR, MOMENT_MAX, MOMENT_MAX_ERROR,
+    OVERTOPPING_DISCHARGE, OVERTOPPING_VOLUME, OVERTOPPING_VOLUME_ERROR, RISE_TIME,
+    SPRING_FORCE_MAX,
 };
 use crate::report::load::Loaded;
 use crate::report::row::{PLACE, Row};
 
-const LOADS: [&Column; 7] = [
+const LOADS: [&Column; 11] = [
     &FIRST_FORCE_MAX,
     &FORCE_MAX,
     &FIRST_MOMENT_MAX,
@@ -18,6 +19,10 @@ const LOADS: [&Column; 7] = [
     &FIRST_IMPULSE,
     &RISE_TIME,
     &SPRING_FORCE_MAX,
+    &FORCE_ERROR,
+    &FORCE_MAX_ERROR,
+    &MOMENT_ERROR,
+    &MOMENT_MAX_ERROR,
 ];
 
 const OVER: [&Column; 5] = [
@@ -73,6 +78,19 @@ mod tests {
         assert!((over - 1.0).abs() < 1e-9, "{over}");
         assert!(overtopping(&data).is_none());
         assert!(loads(&Loaded::default()).is_none());
+    }
+
+    /// The story: the page told moments without their bars, which stood in the summary alone.
+    #[test]
+    fn loads_have_their_bars_on_the_page() {
+        let rows = vec![row().with(&MOMENT_MAX_ERROR, 0.02).with(&FORCE_ERROR, 0.005)];
+        let data = Loaded { rows, ..Loaded::default() };
+        let page = loads(&data).unwrap().whole().unwrap().for_page();
+        let cell = |name: &str| {
+            let at = page.header.iter().position(|column| column == name).unwrap();
+            page.rows[0][at].as_str()
+        };
+        assert_eq!((cell("moment_max"), cell("first_force_max")), ("2.50 ± 0.02", "1.808 ± 0.005"));
     }
 
     #[test]
