@@ -41,10 +41,20 @@ progress() {
   { cd "$out" && cat journal.jsonl && { ls -l --full-time checkpoints; ls films; }; } 2>/dev/null | cksum
 }
 
+# Ends here, with the reason.
+give_up() {
+  echo "$1: not put back into the queue" >&2
+  exit 3
+}
+
+# A start that was told to stop before it got any further leaves its job's number here. The next such start is the last.
+idle=$out/slurm.idle
+
 before=$(progress)
 # Since Slurm 22.05 srun does not ask for the job's cores per task by itself: threads might share a single one.
 {LAUNCH} "$seawall" sweep "$study" --out "$out"{MORE} &
 job=$!
+[ "$stopped" = no ] || stop # the signal came before there was a job to pass it on to
 while :; do
   code=0
   wait "$job" || code=$?
@@ -56,13 +66,27 @@ done
 "$seawall" --quiet status --exit-code "$out"
 left=$?
 case $left in
-  0 | 1) exit "$left" ;;
+  0 | 1)
+    rm -f "$idle"
+    exit "$left"
+    ;;
   3) ;;
   *) exit 70 ;; # there is no journal: the ranks were not even started
 esac
-if [ "$stopped" = no ] && [ "$(progress)" = "$before" ]; then
-  echo "the job died and got no further (code $code): not put back into the queue" >&2
-  exit 3
+# `scancel` sends TERM, too. Such a job does not run any more, nor does one that its time limit has ended.
+case $(squeue -h -j "$SLURM_JOB_ID" -o '%T %r') in
+  RUNNING* | *TimeLimit) ;;
+  *) give_up "the job was cancelled, or the queue does not answer" ;;
+esac
+if [ "$(progress)" != "$before" ]; then
+  rm -f "$idle"
+elif [ "$stopped" = no ]; then
+  give_up "the job died and got no further (code $code)"
+elif [ "$(cat "$idle" 2>/dev/null)" = "$SLURM_JOB_ID" ]; then
+  rm -f "$idle"
+  give_up "two starts in a row were told to stop and got no further, so the time limit is too short"
+else
+  echo "$SLURM_JOB_ID" >"$idle"
 fi
 echo "cases are left: back into the queue" >&2
 scontrol requeue "$SLURM_JOB_ID" || exit 3

@@ -24,13 +24,20 @@ fn script(root: &Path, file: &str, out: &Path, launcher: &str) -> PathBuf {
     path
 }
 
-/// Runs it as Slurm would. To be queued again ends it, as Slurm does, and leaves a file `queued`.
+/// Writes a script that can be run.
+fn program(path: &Path, text: &str) {
+    fs::write(path, text).unwrap();
+    fs::set_permissions(path, fs::Permissions::from_mode(0o755)).unwrap();
+}
+
+/// Runs it as Slurm would. To be queued again ends it, as Slurm does, and leaves a file `queued`. The queue says what
+/// a file `state` says, else that the job runs.
 fn job(root: &Path, script: &Path) -> Command {
-    let control = root.join("scontrol");
-    let text =
-        format!("#!/bin/sh\necho \"$@\" >>'{}'\nkill -9 $PPID\n", root.join("queued").display());
-    fs::write(&control, text).unwrap();
-    fs::set_permissions(&control, fs::Permissions::from_mode(0o755)).unwrap();
+    let [queued, state] = ["queued", "state"].map(|name| root.join(name).display().to_string());
+    let control = format!("#!/bin/sh\necho \"$@\" >>'{queued}'\nkill -9 $PPID\n");
+    program(&root.join("scontrol"), &control);
+    let queue = format!("#!/bin/sh\ncat '{state}' 2>/dev/null || echo RUNNING None\n");
+    program(&root.join("squeue"), &queue);
     let path = std::env::var("PATH").unwrap();
     let mut command = Command::new("bash");
     command.arg(script).env("PATH", format!("{}:{path}", root.display())).env("SLURM_JOB_ID", "17");
@@ -45,8 +52,7 @@ fn queued(root: &Path) -> String {
 /// A stand-in for `srun` that runs this script in place of the study.
 fn stand_in(root: &Path, script: &str) -> String {
     let path = root.join("stand-in");
-    fs::write(&path, format!("#!/bin/bash\n{script}\n")).unwrap();
-    fs::set_permissions(&path, fs::Permissions::from_mode(0o755)).unwrap();
+    program(&path, &format!("#!/bin/bash\n{script}\n"));
     path.to_str().unwrap().to_owned()
 }
 
@@ -78,22 +84,96 @@ fn a_job_runs_where_its_script_was_made() {
 /// The story: cases were done and films were left. The job died after one, and was not put back into the queue.
 #[test]
 fn a_new_film_is_progress() {
-    let desk = Desk::new(TINY);
+    let desk = without_page();
     let root = desk.path();
-    ended(0, &["sweep", &desk.file, "--out", &desk.dir, "--film", "none"]);
-    // A sweep that does not come to its end owes films and page.
-    let page = desk.out.join("report.html");
-    fs::remove_file(&page).unwrap();
-    fs::create_dir(&page).unwrap();
-    ended(2, &["sweep", &desk.file, "--out", &desk.dir, "--film", "none"]);
-    fs::remove_dir(&page).unwrap();
-    expect_code(&run(&["status", &desk.dir, "--exit-code"]), 3);
     for (does, again) in [("true", false), ("mkdir -p films && touch films/a.html", true)] {
         let launcher = stand_in(root, &format!("cd '{}' && {does}; kill -9 $$", desk.dir));
         let script = script(root, &desk.file, &desk.out, &launcher);
         job(root, &script).output().unwrap();
         assert_eq!(!queued(root).is_empty(), again, "{does}");
     }
+}
+
+/// A study whose cases are all done and whose page is not: the next sweep owes films and page.
+fn without_page() -> Desk {
+    let desk = Desk::new(TINY);
+    let page = desk.out.join("report.html");
+    ended(0, &["sweep", &desk.file, "--out", &desk.dir, "--film", "none"]);
+    fs::remove_file(&page).unwrap();
+    fs::create_dir(&page).unwrap();
+    ended(2, &["sweep", &desk.file, "--out", &desk.dir, "--film", "none"]);
+    fs::remove_dir(&page).unwrap();
+    expect_code(&run(&["status", &desk.dir, "--exit-code"]), 3);
+    desk
+}
+
+/// A launcher that tells the job's script to stop, as the queue does, and waits until it is told itself.
+const TOLD: &str =
+    "trap 'exit 3' USR1; kill -USR1 $PPID; for k in $(seq 1200); do sleep 0.05; done; exit 9";
+
+/// The story: a job was cancelled and put itself back into the queue.
+#[test]
+fn a_job_that_is_cancelled_is_not_queued_again() {
+    let desk = without_page();
+    let root = desk.path();
+    let launcher = stand_in(root, &format!("touch '{}/films/'$$.html; {TOLD}", desk.dir));
+    fs::create_dir_all(desk.out.join("films")).unwrap();
+    let script = script(root, &desk.file, &desk.out, &launcher);
+    for (state, again) in [
+        ("COMPLETING None", false),
+        ("", false),
+        ("COMPLETING TimeLimit", true),
+        ("RUNNING None", true),
+    ] {
+        fs::write(root.join("state"), state).unwrap();
+        let told = job(root, &script).output().unwrap();
+        assert_eq!(!queued(root).is_empty(), again, "{state}");
+        let told = String::from_utf8(told.stderr).unwrap();
+        assert_eq!(told.contains("the job was cancelled, or"), !again, "{told}");
+    }
+}
+
+/// The story: a job whose time was too short for its next film came back for ever.
+#[test]
+fn a_job_that_is_told_to_stop_twice_without_progress_is_not_queued_again() {
+    let desk = without_page();
+    let root = desk.path();
+    let new = root.join("new");
+    let moved = format!("[ ! -e '{0}' ] || mv '{0}' '{1}/films/'", new.display(), desk.dir);
+    let launcher = stand_in(root, &format!("{moved}; {TOLD}"));
+    fs::create_dir_all(desk.out.join("films")).unwrap();
+    let script = script(root, &desk.file, &desk.out, &launcher);
+    let start = || job(root, &script).output().unwrap();
+    start();
+    assert_eq!(queued(root).lines().count(), 1);
+    // A film between two such starts is progress.
+    fs::write(new, "").unwrap();
+    for starts in [2, 3] {
+        start();
+        assert_eq!(queued(root).lines().count(), starts);
+    }
+    let last = start();
+    expect_code(&last, 3);
+    let told = String::from_utf8(last.stderr).unwrap();
+    assert!(told.contains("two starts in a row") && told.contains("not put back"), "{told}");
+    assert_eq!(queued(root).lines().count(), 3);
+}
+
+/// The story: a signal came while the script read a long journal, and nobody heard of it.
+#[test]
+fn a_signal_before_the_ranks_are_started_is_passed_on() {
+    let desk = without_page();
+    let root = desk.path();
+    let launcher =
+        stand_in(root, "trap 'exit 3' USR1; for k in $(seq 400); do sleep 0.05; done; exit 9");
+    let path = script(root, &desk.file, &desk.out, &launcher);
+    let text = fs::read_to_string(&path).unwrap();
+    let (before, after) = text.split_once("before=$(progress)\n").unwrap();
+    fs::write(&path, format!("{before}kill -USR1 $$\nbefore=$(progress)\n{after}")).unwrap();
+    let start = Instant::now();
+    job(root, &path).output().unwrap();
+    assert!(start.elapsed() < Duration::from_secs(15), "{:?}", start.elapsed());
+    assert_eq!(queued(root).lines().count(), 1);
 }
 
 #[test]
@@ -120,6 +200,15 @@ fn a_job_script_says_what_was_asked_for() {
     for bad in [&["--nodes", "0", "--time", "1"][..], &["--nodes", "1", "--time", "1h"], &idle] {
         ended(2, &[&["slurm", &desk.file][..], bad].concat());
     }
+    // The story: Slurm may send its signal 60 s early, which left such a job no time at all.
+    let slurm =
+        |code, time| ended(code, &["slurm", &desk.file, "--nodes", "1", "--time", time]).err;
+    let told = slurm(2, "2:59");
+    assert!(
+        told.contains("--time 2:59: the sweep is told to stop 120 s before (--grace-s)"),
+        "{told}"
+    );
+    slurm(0, "3");
 }
 
 /// Slurm gave a rank of several threads a single core, where it binds tasks to cores.

@@ -16,7 +16,7 @@ use crate::keys::named;
 /// again until every case is done.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  seawall slurm sweeps/liang2017.toml --nodes 4 --time 12:00:00 | sbatch
+  seawall slurm sweeps/liang2017.toml --nodes 4 --ranks-per-node 64 --time 12:00:00 | sbatch
   seawall slurm study.toml --nodes 2 --time 30 --ranks-per-node 64 --launcher 'mpirun' > study.sh")]
 pub(super) struct SlurmArgs {
     /// The sweep file.
@@ -27,7 +27,8 @@ pub(super) struct SlurmArgs {
     /// Time limit, as sbatch takes it: minutes, HH:MM:SS or DAYS-HH:MM:SS.
     #[arg(long, value_name = "TIME", value_parser = time, allow_hyphen_values = true)]
     time: String,
-    /// Ranks on each node.
+    /// Ranks on each node: as many as it has cores, or fewer with more --threads. One rank of one thread takes a
+    /// single core.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = options::whole(1, 10_000_u32), allow_negative_numbers = true)]
     ranks_per_node: u32,
     /// Threads of each rank.
@@ -58,6 +59,9 @@ fn command(text: &str) -> Result<String, String> {
 /// The longest time limit that is taken. Longer ones are slips, or exceed sbatch's counter.
 const LONGEST_DAYS: f64 = 1000.0;
 const DAY_S: f64 = 86_400.0;
+
+/// How much sooner than asked Slurm may send its signal, seconds (sbatch's manual, `--signal`).
+const SOONER_S: f64 = 60.0;
 
 fn time(text: &str) -> Result<String, String> {
     let refused = || {
@@ -104,11 +108,13 @@ fn filled(mut script: &str, names: &[(&str, String)]) -> String {
 }
 
 pub(super) fn main(args: &SlurmArgs, output: &Output) -> anyhow::Result<u8> {
-    if seconds(&args.time).is_some_and(|limit| limit <= f64::from(args.grace_s)) {
-        let (time, grace) = (&args.time, args.grace_s);
-        let reason =
-            format!("the sweep is told to stop {grace} s before (--grace-s), at its start");
-        return Err(BadInput(format!("--time {time}: {reason}; give it more time")).into());
+    let (time, grace) = (&args.time, args.grace_s);
+    if seconds(time).is_some_and(|limit| limit < f64::from(grace) + SOONER_S) {
+        return Err(BadInput(format!(
+            "--time {time}: the sweep is told to stop {grace} s before (--grace-s), by Slurm up to {SOONER_S} s \
+             sooner; give it {SOONER_S} s more than the grace, or longer"
+        ))
+        .into());
     }
     let study = study(&args.file, &args.settings, Expect::Grid)?;
     let out = args.out.clone().unwrap_or_else(|| default_out(&study));
@@ -136,6 +142,11 @@ pub(super) fn main(args: &SlurmArgs, output: &Output) -> anyhow::Result<u8> {
         ("{LAUNCH}", launch),
         ("{MORE}", more),
     ];
+    if args.ranks_per_node * args.threads == 1 {
+        let more = "--ranks-per-node takes more of its cores";
+        output
+            .note(format_args!("note: one rank of one thread takes one core of each node; {more}"));
+    }
     let script = filled(SCRIPT, &text);
     output.result(&script, &json!({ "script": script, "out": json_path(&out) }))?;
     Ok(SUCCESS)
