@@ -129,7 +129,10 @@ pub(super) fn main(args: &SweepArgs, output: &Output, launcher: Launcher) -> any
         args.ending.end(code);
         code
     };
-    if use_mpi { Ok(mpi::with_crew(&setup, lead)?) } else { Ok(threads::with_crew(&setup, lead)) }
+    match use_mpi {
+        true => Ok(mpi::with_crew(&setup, launcher, lead)?),
+        false => Ok(threads::with_crew(&setup, lead)),
+    }
 }
 
 fn lead(

@@ -1,6 +1,6 @@
 //! Replaces the `mpi` executor in a build without the feature of that name.
 
-use super::{Crew, Setup};
+use super::{Crew, Launcher, Setup};
 use crate::results::SweepError;
 
 /// Whether this build can run under MPI.
@@ -12,6 +12,7 @@ pub const AVAILABLE: bool = false;
 /// Always.
 pub fn with_crew(
     _setup: &Setup<'_>,
+    _launcher: Launcher,
     _lead: impl FnOnce(&mut dyn Crew) -> u8,
 ) -> Result<u8, SweepError> {
     Err(SweepError::Refused(

@@ -61,7 +61,13 @@ pub fn write_file(directory: &Path, text: &str) -> String {
 /// The program under test, away from any launcher of the test run itself.
 pub fn seawall() -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_seawall"));
-    for name in ["OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_RANK", "PMI_SIZE", "PMIX_RANK"] {
+    for name in [
+        "OMPI_COMM_WORLD_SIZE",
+        "OMPI_COMM_WORLD_RANK",
+        "PMI_SIZE",
+        "PMIX_RANK",
+        "SLURM_STEP_NUM_TASKS",
+    ] {
         command.env_remove(name);
     }
     command

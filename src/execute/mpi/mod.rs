@@ -31,7 +31,7 @@ use self::message::{Message, Start};
 use self::post::{Post, out_of_turn};
 use self::station::{RankZero, Station, work};
 use super::worker::with_worker;
-use super::{Crew, Link, Setup, resources, share_threads};
+use super::{Crew, Launcher, Link, Setup, resources, share_threads};
 use crate::keys::{named, shown};
 use crate::math::simd::SimdPath;
 use crate::results::{Filing, Mark, RankInfo, SweepError};
@@ -43,9 +43,10 @@ pub const AVAILABLE: bool = true;
 /// serve it and return 0.
 ///
 /// # Errors
-/// MPI cannot be started. Any later error ends the whole job.
+/// MPI cannot be started, or is another than the launcher's. Any later error ends the whole job.
 pub fn with_crew(
     setup: &Setup<'_>,
+    launcher: Launcher,
     lead: impl FnOnce(&mut dyn Crew) -> u8,
 ) -> Result<u8, SweepError> {
     let Some((universe, level)) = mpi::initialize_with_threading(Threading::Funneled) else {
@@ -55,6 +56,10 @@ pub fn with_crew(
         return Err(SweepError::Executor("this MPI allows no second thread".to_owned()));
     }
     let world = universe.world();
+    let library = mpi::environment::library_version().unwrap_or_default();
+    if let Some(told) = launcher.misfit(world.size() as usize, name_of(&library)) {
+        return Err(SweepError::Refused(told));
+    }
     let rank = world.rank();
     // A rank that unwound from here would leave the others waiting, so it ends the job.
     let ended = catch_unwind(AssertUnwindSafe(|| {
@@ -69,6 +74,12 @@ pub fn with_crew(
         }
         Err(_) => world.abort(70),
     }
+}
+
+/// The name of an MPI library, from all that it tells of itself.
+fn name_of(library: &str) -> &str {
+    let name = library.split([',', ':', '\n']).next().unwrap_or_default();
+    name.trim_end_matches("Version").trim()
 }
 
 fn lead_crew(

@@ -14,3 +14,9 @@ fn results_cross_the_wire_bit_for_bit() {
     let Message::Reports(read) = postcard::from_bytes(&bytes).unwrap() else { panic!() };
     assert_eq!(read, [report]);
 }
+
+#[test]
+fn an_mpi_library_is_called_by_its_name() {
+    assert_eq!(name_of("Open MPI v4.1.4, package: Debian, ident: 4.1.4\0"), "Open MPI v4.1.4");
+    assert_eq!(name_of("MPICH Version:      4.0.2\nMPICH Release date: 2022"), "MPICH");
+}
