@@ -13,6 +13,7 @@ use serde::Serialize;
 
 use self::line::{Line, lines};
 use super::load::Loaded;
+use super::row::Row;
 use super::study::Key;
 use crate::math::scale::Scale;
 
@@ -72,7 +73,12 @@ pub struct Found {
 /// In one line: what is wrong with the condition.
 pub fn find(text: &str, data: &Loaded) -> Result<Found, String> {
     let condition = Condition::read(text, data)?;
-    let verdicts = (0..data.rows.len()).map(|row| condition.verdict(row)).collect();
+    // What a failed case was to compute is met by none, though its values of swept keys are known.
+    let verdict = |(row, at): (usize, &Row)| match condition.verdict(row) {
+        Verdict::Met if !at.is_ok() => Verdict::Unknown,
+        verdict => verdict,
+    };
+    let verdicts = data.rows.iter().enumerate().map(verdict).collect();
     let boundaries = boundaries(&condition, data);
     Ok(Found { condition, verdicts, boundaries })
 }
@@ -91,10 +97,9 @@ impl Found {
             unknown.then_some(comparison.subject.readings[row])
         });
         match readings.max_by_key(|reading| matches!(reading, Reading::Failed)) {
-            Some(Reading::Failed) => "failed",
+            Some(Reading::Failed) | None => "failed",
             Some(Reading::Missing) => "has no such value",
             Some(Reading::Value { .. }) => "a lower bound, short of the limit",
-            None => "",
         }
     }
 }

@@ -197,6 +197,16 @@ fn failed_and_missing_cases_leave_a_gap() {
     assert!(!one.met_above);
 }
 
+/// The story: a case that had failed was listed among those that meet a condition on a swept key.
+#[test]
+fn a_failed_case_meets_no_condition_on_its_own_keys() {
+    let mut data = study(MASS, "[1, 2, 3]", &[1.0, 2.0, 3.0], with(&FORCE_MAX, |x| x));
+    data.rows[1] = Row::default().with(&STATUS, "failed");
+    let found = find("seawall_mass_kg_per_m <= 2", &data).unwrap();
+    assert_eq!(found.verdicts, [Verdict::Met, Verdict::Unknown, Verdict::NotMet]);
+    assert_eq!(found.why(1), "failed");
+}
+
 #[test]
 fn two_conditions_leave_a_strip_even_between_cases_that_miss_it() {
     let row = |x: f64| with(&FORCE_MAX, |x| x)(x).with(&RUNUP_MAX, 10.0 - x);
