@@ -211,7 +211,8 @@ impl Study {
         let (name, keys) = (self.name.clone(), self.keys.clone());
         let study = Study::of(name, keys, cases, &bars, &self.file_text);
         let (limits, max_error_percent) = (self.limits, self.max_error_percent);
-        Study { identity: self.identity.clone(), limits, max_error_percent, ..study }
+        let (identity, sets) = (self.identity.clone(), self.sets.clone());
+        Study { identity, limits, max_error_percent, sets, ..study }
     }
 }
 

@@ -6,11 +6,11 @@ use std::path::Path;
 use toml::{Table, Value};
 
 use super::manifest::Manifest;
-use crate::keys::{alike, number, shortened};
+use crate::keys::{Override, alike, number, shortened};
 use crate::study::{GridAxis, PHYSICS_VERSION, Study};
 
-/// The first difference in words: the physics version, a key of the two files, or a setting of the
-/// command line there. `None` if none of these differs.
+/// The first difference in words: the physics version, a key of the two files with the settings of
+/// their command lines, or the aim. `None` if none of these differs.
 pub(super) fn difference(directory: &Path, study: &Study) -> Option<String> {
     let there = Manifest::read(directory)?;
     if there.physics_version != PHYSICS_VERSION {
@@ -19,21 +19,33 @@ pub(super) fn difference(directory: &Path, study: &Study) -> Option<String> {
             "it is of physics version {version}, this program of {PHYSICS_VERSION}"
         ));
     }
-    let files = [&there.sweep_file, &study.file_text].map(|text| text.parse::<Table>());
-    let in_files = match &files {
-        [Ok(before), Ok(here)] => first("", before, here),
-        _ => None,
-    };
-    // What is in no file: the aim, and other settings.
+    let sets: Vec<Override> = there.overrides.iter().filter_map(|set| set.parse().ok()).collect();
+    let before = with_settings(&there.sweep_file, &sets);
+    let both = before.zip(with_settings(&study.file_text, &study.sets));
+    let told = both.and_then(|(before, here)| first("", &before, &here));
+    // A setting that was not given again.
+    let set = told.as_ref().and_then(|told| {
+        let is_told = |set: &&Override| told.starts_with(&format!("{} ", set.path()));
+        let set = sets.iter().filter(is_told).next_back()?;
+        let again = study.sets.iter().any(|here| here.path() == set.path());
+        let value = shortened(&set.value().to_string());
+        (!again).then(|| format!("it was made with --set {}={value}", set.path()))
+    });
+    let in_files = set.or(told);
+    // What is in no file.
     let told = |aim: Option<f64>| {
         aim.map_or("without --max-error".to_owned(), |aim| format!("with --max-error {aim}"))
     };
     let [then, now] = [there.max_error_percent, study.max_error_percent].map(told);
     let aim = (then != now).then(|| format!("it was made {then}, this one {now}"));
-    let sets: Vec<_> =
-        there.overrides.iter().map(|set| format!("--set {}", shortened(set))).collect();
-    let set = (!sets.is_empty()).then(|| format!("it was made with {}", sets.join(" ")));
-    in_files.or(aim).or(set)
+    in_files.or(aim)
+}
+
+/// A file with the settings of the command line; `None` where it cannot be read.
+fn with_settings(text: &str, sets: &[Override]) -> Option<Table> {
+    let mut file = text.parse().ok()?;
+    sets.iter().try_for_each(|set| set.apply(&mut file)).ok()?;
+    Some(file)
 }
 
 /// Keys that are not part of a study's identity.
@@ -93,6 +105,7 @@ fn first(section: &str, there: &Table, here: &Table) -> Option<String> {
 mod tests {
     use super::super::trial;
     use super::*;
+    use crate::study::SweepFile;
 
     fn told(there: &str, here: &str) -> Option<String> {
         let [there, here] = [there, here].map(|text| text.parse().unwrap());
@@ -135,6 +148,32 @@ mod tests {
         let finer = format!("{file}\n[numerics]\nparticle_spacing_m = 0.01");
         let wanted = "numerics.particle_spacing_m is 0.01 there and not given here";
         assert_eq!(told(&finer, file).unwrap(), wanted);
+    }
+
+    /// The story: a setting of this command line was never told, one of the other's in place of what
+    /// differed, or one that does not matter.
+    #[test]
+    fn settings_of_both_command_lines_count_as_if_they_stood_in_the_files() {
+        let text = "name = \"a\"\n[scene]\nwall = \"fixed\"\n[grid]\nwave_height_ratio = [0.3]";
+        let told = |there: &[&str], here: &[&str]| {
+            let root = tempfile::tempdir().unwrap();
+            let [then, now] = [there, here].map(|sets| {
+                let sets: Vec<Override> = sets.iter().map(|set| set.parse().unwrap()).collect();
+                Study::new(&SweepFile::read(text, &sets).unwrap()).unwrap()
+            });
+            let sets: Vec<_> = there.iter().map(|set| (*set).to_owned()).collect();
+            Manifest::new(root.path(), &then, &sets, trial::SIMD).write(root.path()).unwrap();
+            difference(root.path(), &now)
+        };
+        let [spacing, finer] = [0.02, 0.01].map(|it| format!("numerics.particle_spacing_m={it}"));
+        let is = |there, here| {
+            Some(format!("numerics.particle_spacing_m is {there} there and {here} here"))
+        };
+        assert_eq!(told(&[&spacing], &[&finer]), is("0.02", "0.01"));
+        assert_eq!(told(&[], &[&finer]), is("not given", "0.01"));
+        let set = told(&["limits.steps=9", &spacing], &[]);
+        assert_eq!(set, Some(format!("it was made with --set {spacing}")));
+        assert_eq!(told(&[&finer], &[&finer]), None);
     }
 
     #[test]

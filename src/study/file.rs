@@ -36,6 +36,8 @@ pub struct SweepFile {
     pub grid: Vec<GridAxis>,
     /// The file as written.
     pub text: String,
+    /// The command line's values.
+    pub sets: Vec<Override>,
 }
 
 section! {
@@ -130,6 +132,7 @@ impl SweepFile {
             refine,
             grid,
             text: text.to_owned(),
+            sets: overrides.to_vec(),
         })
     }
 

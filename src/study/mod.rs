@@ -65,6 +65,8 @@ pub struct Study {
     pub refine: Option<Refine>,
     /// The file as written.
     pub file_text: String,
+    /// The command line's values.
+    pub sets: Vec<Override>,
 }
 
 impl Study {
@@ -92,7 +94,8 @@ impl Study {
         let keys: Vec<String> = file.grid.iter().map(|axis| axis.key.clone()).collect();
         let study = Study::of(file.name.clone(), keys, cases, &bars, &file.text);
         let (max_error_percent, refine) = (file.max_error_percent, file.refine.clone());
-        Study { max_error_percent, refine, limits: file.limits, ..study }
+        let (limits, sets) = (file.limits, file.sets.clone());
+        Study { max_error_percent, refine, limits, sets, ..study }
     }
 
     /// A study of the given cases. If `bars` has fewer entries, the other cases have no bars.
@@ -127,6 +130,7 @@ impl Study {
             limits: Limits::default(),
             refine,
             file_text,
+            sets: Vec::new(),
         }
     }
 
