@@ -151,6 +151,7 @@ impl Standing {
     /// The words for people.
     pub(super) fn text(&self) -> String {
         let state = match self.left() + self.companions_left() {
+            0 if self.running => "running: all cases done, makes films and page",
             _ if self.running => "running",
             0 if self.owed => "stopped after its cases; the same command makes films and page",
             0 if self.cut => "finished but for its page; `seawall report` makes it again",
@@ -215,6 +216,7 @@ impl Standing {
         View {
             busy_s: self.load.as_ref().map(Load::busy_s),
             done: self.done + self.companions_done,
+            left: self.left() + self.companions_left(),
             spent_s: self.spent_s,
             ranks: self.ranks,
             places: self.places,

@@ -9,6 +9,8 @@ use crate::math::words::counted;
 pub(super) struct View {
     /// Finished cases and companions.
     pub(super) done: usize,
+    /// Those that are left.
+    pub(super) left: usize,
     /// Seconds that finished cases have taken.
     pub(super) spent_s: f64,
     /// The time that its ranks have been busy in this session, with their current work, seconds.
@@ -23,16 +25,29 @@ pub(super) struct View {
 pub(super) struct Watch {
     first: View,
     since: Instant,
+    /// The first look that found no case left, and its time since the first of all, seconds.
+    last: Option<(View, f64)>,
 }
 
 impl Watch {
     pub(super) fn begin(first: View) -> Watch {
-        Watch { first, since: Instant::now() }
+        Watch { first, since: Instant::now(), last: None }
     }
 
-    /// A look's text, with the rate since the first look, if there is one.
+    /// A look's text, with the rate since the first look, if there is one. While films and page are
+    /// made it stays what it was at the last case.
     pub(super) fn with_rate(&mut self, text: &str, now: View) -> String {
-        let line = rate(self.first, now, self.since.elapsed().as_secs_f64());
+        let seconds = self.since.elapsed().as_secs_f64();
+        self.with_rate_at(text, now, seconds)
+    }
+
+    fn with_rate_at(&mut self, text: &str, now: View, seconds: f64) -> String {
+        let seen = match self.last {
+            Some(last) if now.left == 0 => last,
+            _ => (now, seconds),
+        };
+        self.last = (now.left == 0).then_some(seen);
+        let line = rate(self.first, seen.0, seen.1);
         line.map_or_else(|| text.to_owned(), |line| format!("{text}{line}\n"))
     }
 }
@@ -56,7 +71,7 @@ mod tests {
 
     #[test]
     fn a_rate_needs_two_looks() {
-        let first = View { done: 3, spent_s: 10.0, busy_s: None, ranks: 2, places: 4 };
+        let first = View { done: 3, left: 20, spent_s: 10.0, busy_s: None, ranks: 2, places: 4 };
         assert_eq!(rate(first, first, 5.0), None);
         let now = View { done: 13, spent_s: 40.0, ..first };
         let told = rate(first, now, 10.0).unwrap();
@@ -65,5 +80,20 @@ mod tests {
         let [first, now] =
             [(first, 20.0), (now, 58.0)].map(|(view, busy)| View { busy_s: Some(busy), ..view });
         assert!(rate(first, now, 10.0).unwrap().ends_with("on 2 ranks, 5 % idle"));
+    }
+
+    /// The story: while films were made, the rate fell and all ranks were called idle.
+    #[test]
+    fn the_rate_stays_once_all_cases_are_done() {
+        let first = View { done: 3, left: 10, spent_s: 10.0, busy_s: None, ranks: 2, places: 4 };
+        let mut watch = Watch::begin(first);
+        let now = View { done: 13, left: 0, spent_s: 40.0, ..first };
+        let told = "done\n10 cases in 10 s: 3600 per hour on 2 ranks, 25 % idle\n";
+        for seconds in [10.0, 60.0] {
+            assert_eq!(watch.with_rate_at("done\n", now, seconds), told);
+        }
+        // A study may get more cases.
+        let more = watch.with_rate_at("", View { left: 2, ..now }, 100.0);
+        assert!(more.starts_with("10 cases in 100 s"), "{more}");
     }
 }
