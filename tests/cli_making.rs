@@ -1,10 +1,12 @@
 //! Page, figures, tables and films: several processes that make them at once, and one that does not come to its end.
 
-use std::fs;
+use std::fs::{self, File};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
 
-use crate::common::{Desk, TINY, column, ended, run, seawall, sweep};
+use crate::common::job::signal;
+use crate::common::{Desk, TINY, TINY_CASES, column, ended, journal_lines, run, seawall, sweep};
 
 fn started(arguments: &[&str]) -> Child {
     seawall().args(arguments).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap()
@@ -106,6 +108,66 @@ fn a_report_that_does_not_end_is_told_until_one_does() {
         ended(0, &["verify", &desk.dir]);
         ended(0, &["status", &desk.dir, "--exit-code"]);
     }
+}
+
+/// The story: a sweep that was killed after its last case, before its tables, was called finished. One that waited there
+/// for another process did not heed a first signal.
+#[test]
+fn a_sweep_that_ends_between_its_last_case_and_its_page_is_not_finished() {
+    for name in ["KILL", "TERM"] {
+        let desk = Desk::new(TINY);
+        let child = started(&["sweep", &desk.file, "--out", &desk.dir, "--film", "none"]);
+        wait_until(|| desk.out.join("derived.json").exists());
+        let making = File::open(desk.out.join("derived.lock")).unwrap();
+        making.lock().unwrap();
+        wait_until(|| journal_lines(&desk.out) == 1 + TINY_CASES);
+        let told = ended(0, &["status", &desk.dir]).out;
+        assert!(told.contains("running: all cases done, makes films and page"), "{told}");
+        let start = Instant::now();
+        signal(child.id(), name);
+        let output = child.wait_with_output().unwrap();
+        assert!(start.elapsed() < Duration::from_secs(10), "{:?}", start.elapsed());
+        let told = String::from_utf8(output.stderr).unwrap();
+        if name == "TERM" {
+            assert_eq!(output.status.code(), Some(3), "{told}");
+            assert!(
+                told.contains("interrupted: 8 of 8 cases done; the same command goes on"),
+                "{told}"
+            );
+        }
+        drop(making);
+        let told = ended(3, &["status", &desk.dir, "--exit-code"]).out;
+        assert!(told.contains("stopped after its cases; the same command makes films"), "{told}");
+        let told = ended(1, &["verify", &desk.dir]);
+        let wanted =
+            "page, figures and tables were not finished: `seawall report` makes them again\n";
+        assert_eq!(told.out, wanted);
+        sweep(0, &desk.file, &desk.out, &[]);
+        ended(0, &["status", &desk.dir, "--exit-code"]);
+        ended(0, &["verify", &desk.dir]);
+    }
+}
+
+fn wait_until(there: impl Fn() -> bool) {
+    let start = Instant::now();
+    while !there() {
+        assert!(start.elapsed() < Duration::from_secs(120), "it does not come so far");
+        std::thread::sleep(Duration::from_millis(2));
+    }
+}
+
+/// The story: where a sweep was killed at its last case, the next one finished it, and these files stayed for good.
+#[test]
+fn nothing_that_only_a_running_sweep_needs_is_left_of_a_killed_one() {
+    let desk = Desk::new(TINY);
+    sweep(0, &desk.file, &desk.out, &[]);
+    let left = ["running", "load.json"].map(|name| desk.out.join(name));
+    let case = &column(&desk.out, "case_id")[7];
+    fs::write(&left[0], format!("\n+{case}\n")).unwrap();
+    fs::write(&left[1], "{\"elapsed_s\":1,\"ranks\":[]}").unwrap();
+    sweep(0, &desk.file, &desk.out, &[]);
+    assert!(left.iter().all(|path| !path.exists()));
+    ended(0, &["verify", &desk.dir]);
 }
 
 /// Looks one after another were objects over many lines, which no reader takes apart.

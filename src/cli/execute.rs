@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use super::cost::binary;
 use super::job::{Done, Job, Retry};
-use super::notices::{tallies, tell_opened, tell_start};
+use super::notices::{expect_page, tallies, tell_opened, tell_start};
 use super::output::Output;
 use crate::disk::names::JOURNAL;
 use crate::execute::{
@@ -72,7 +72,7 @@ pub(super) fn execute(
         output.note(format_args!("manifest.json {what}: made again{rest}"));
     }
     if missing == 0 {
-        return all_there(job, directory, damage.is_some());
+        return all_there(job, directory, damage.is_some(), interrupt);
     }
     share_threads(job, missing, crew);
     if !anew {
@@ -82,6 +82,7 @@ pub(super) fn execute(
     let plan = plan_of_missing(job, &directory, output);
     let start = Instant::now();
     let mut manifest = begin_session(job, crew, &directory, output)?;
+    expect_page(job, interrupt, output)?;
     tell_start(crew, &directory, tallies, output);
     let ranks = crew.ranks().to_vec();
     let mut ended = None;
@@ -101,7 +102,7 @@ pub(super) fn execute(
     let worked = ended.unwrap_or_default();
     let (ending, savings) = (worked.ending, worked.savings);
     if ending == Ending::Finished {
-        directory.clear_checkpoints()?;
+        directory.clear()?;
     }
     let wall_time_s = start.elapsed().as_secs_f64();
     end_session(&mut manifest, worked, wall_time_s);
@@ -134,16 +135,22 @@ fn open(job: &Job, crew: &dyn Crew, output: &Output) -> Result<(Directory, Opene
 
 /// Makes the tables of a complete study. The file may now ask for other error bars than before. The
 /// manifest has to hold this file, or `verify` and `report` would make other tables.
-fn all_there(job: &Job, mut directory: Directory, damaged: bool) -> Result<Done, SweepError> {
+fn all_there(
+    job: &Job,
+    mut directory: Directory,
+    damaged: bool,
+    interrupt: &Interrupt,
+) -> Result<Done, SweepError> {
     let manifest = Manifest::new(&job.out, &job.study, &job.overrides, directory.simd());
     if damaged {
         manifest.write(&job.out)?
     } else {
         manifest.asked_again(&job.out)?
     }
-    directory.write_tables(&job.study)?;
-    directory.clear_checkpoints()?;
-    let (savings, ending) = (Savings::default(), Ending::Finished);
+    let written = directory.write_tables(&job.study, &|| interrupt.is_raised())?;
+    directory.clear()?;
+    let ending = if written { Ending::Finished } else { Ending::Interrupted };
+    let savings = Savings::default();
     Ok(Done { directory, ending, savings, wall_time_s: None, film_time_s: 0.0 })
 }
 

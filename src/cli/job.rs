@@ -36,6 +36,8 @@ pub(super) struct Job {
     pub(super) shares_threads: bool,
     pub(super) simd: Option<SimdPath>,
     pub(super) overrides: Vec<String>,
+    /// Whether films and page are made once its cases are done.
+    pub(super) reports: bool,
 }
 
 /// The result of a job.

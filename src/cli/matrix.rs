@@ -84,6 +84,7 @@ pub(super) fn run(
         shares_threads: false, // What a method costs is told.
         simd: SimdChoice::Auto.path(),
         overrides: Vec::new(),
+        reports: false,
     };
     let done = on_threads(&job, args.threads, None, EVERY_S, output)?;
     if done.ending == Ending::Interrupted {

@@ -2,20 +2,47 @@
 
 use std::path::Path;
 
-use super::job::Job;
+use super::INTERRUPTED;
+use super::job::{Done, Job};
 use super::output::Output;
-use crate::execute::{Crew, Tally};
+use crate::execute::{Crew, Interrupt, Tally};
 use crate::keys::named;
 use crate::math::name::name_of;
 use crate::math::words::counted;
-use crate::results::{Directory, Making, Opened, RankInfo};
+use crate::results::{Derived, Directory, Making, Opened, RankInfo, SweepError};
 
 /// Waits for other processes that make page, figures, tables or films of a directory.
 pub(super) fn hold_making(directory: &Path, output: &Output) -> Making {
-    Making::hold(directory, || {
-        let out = named(directory);
-        output.note(format_args!("{out}: waiting for another process that makes page or films"));
-    })
+    Making::hold(directory, || tell_waiting(directory, output))
+}
+
+/// The same; `None` where it is told to stop meanwhile.
+pub(super) fn hold_making_unless(
+    directory: &Path,
+    interrupt: &Interrupt,
+    output: &Output,
+) -> Option<Making> {
+    Making::hold_unless(directory, || tell_waiting(directory, output), &|| interrupt.is_raised())
+}
+
+/// Notes that a sweep has begun and owes films and page. Who is killed between its last case and its page
+/// has then left something to do.
+pub(super) fn expect_page(
+    job: &Job,
+    interrupt: &Interrupt,
+    output: &Output,
+) -> Result<(), SweepError> {
+    if job.reports
+        && let Some(_making) = hold_making_unless(&job.out, interrupt, output)
+    {
+        Derived::expect(&job.out)?;
+    }
+    Ok(())
+}
+
+fn tell_waiting(directory: &Path, output: &Output) {
+    let out = named(directory);
+    output.note(format_args!("{out}: waiting for another process that makes page or films"));
 }
 
 /// How many cases and companions there are, and how many of them are done.
@@ -94,5 +121,23 @@ pub(super) fn tell_start(
             let threads = counted(info.threads, "thread");
             output.note(format_args!("rank {rank}: {}, {threads}", info.host));
         }
+    }
+}
+
+/// The last words of a sweep that was told to stop.
+pub(super) fn tell_interrupted(job: &Job, done: &Done, crew: &dyn Crew, output: &Output) {
+    let (finished, cases) = (done.records().count(), counted(job.study.cases.len(), "case"));
+    output.note(format_args!("interrupted: {finished} of {cases} done; the same command goes on"));
+    tell_true_code(done.directory.path(), crew, output);
+}
+
+/// The exit code of a sweep that was told to stop, where a launcher may lose it.
+pub(super) fn tell_true_code(directory: &Path, crew: &dyn Crew, output: &Output) {
+    if crew.executor() == "mpi" {
+        output.note(format_args!(
+            "the journal is whole. A launcher that was told to end may return 0 or 1; seawall's own code is \
+             {INTERRUPTED}, as `seawall status {} --exit-code` tells",
+            named(directory)
+        ));
     }
 }

@@ -155,6 +155,7 @@ fn job(args: &ReproduceArgs, run: &Run, study: Study, out: PathBuf, shares_threa
         shares_threads,
         simd: None,
         overrides: own.chain(theirs).collect(),
+        reports: false,
     }
 }
 

@@ -87,6 +87,7 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
         shares_threads: true,
         simd: args.simd.path(),
         overrides: settings.iter().map(|setting| setting.text.clone()).collect(),
+        reports: false,
     };
     let folder = job.out.join(VTK);
     let vtk = args.vtk.map(|interval_s| Filming::Vtk(VtkFilm { interval_s, folder }));

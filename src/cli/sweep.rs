@@ -20,8 +20,6 @@ use super::output::{Output, json_paths};
 use super::{INTERRUPTED, SUCCESS, check, films, max_error, notices, options, overview, warnings};
 use crate::disk::names::PAGE;
 use crate::execute::{Crew, Ending, Interrupt, Keeping, Launcher, Setup, SphRunner, mpi, threads};
-use crate::keys::named;
-use crate::math::words::counted;
 use crate::report::ReportError;
 use crate::results::{Derived, OpenMode, write_all_histories};
 
@@ -160,7 +158,7 @@ fn lead(
     warnings::tell(&args.file, &first, output);
     warnings::tell_threads(args.threads, output);
     let job = Job {
-        out,
+        out: out.clone(),
         study: first,
         mode: if args.fresh { OpenMode::Fresh } else { OpenMode::Resume },
         retry: if args.retry_failed { Retry::All } else { Retry::Nothing },
@@ -168,14 +166,17 @@ fn lead(
         shares_threads: true,
         simd: args.simd.path(),
         overrides,
+        reports: true,
     };
     args.ending.begin(&job.out)?;
     let (job, mut done) = in_rounds(&args.file, &goal, job, crew, interrupt, output)?;
-    if done.ending == Ending::Interrupted {
-        tell_interrupted(&job, &done, crew, output);
-        return Ok(done.exit_code());
-    }
-    let _making = notices::hold_making(done.directory.path(), output);
+    let path = done.directory.path();
+    let making = (done.ending == Ending::Finished)
+        .then(|| notices::hold_making_unless(path, interrupt, output));
+    let Some(_making) = making.flatten() else {
+        notices::tell_interrupted(&job, &done, crew, output);
+        return Ok(INTERRUPTED);
+    };
     Derived::owe(done.directory.path())?;
     let (filming, film_time_s) =
         films::make(&args.film, &places, &job.study, &done, args.threads, interrupt, output)?;
@@ -201,6 +202,9 @@ fn lead(
         closing.write(done.directory.path())?;
     }
     output.result(&text, &value)?;
+    if code == INTERRUPTED {
+        notices::tell_true_code(&out, crew, output);
+    }
     Ok(code)
 }
 
@@ -223,18 +227,6 @@ fn in_rounds(
         done.wall_time_s = spent_s.into_iter().chain(done.wall_time_s).reduce(|sum, s| sum + s);
     }
     Ok((job, done))
-}
-
-fn tell_interrupted(job: &Job, done: &Done, crew: &dyn Crew, output: &Output) {
-    let (finished, cases) = (done.records().count(), counted(job.study.cases.len(), "case"));
-    output.note(format_args!("interrupted: {finished} of {cases} done; the same command goes on"));
-    if crew.executor() == "mpi" {
-        output.note(format_args!(
-            "the journal is whole. A launcher that was told to end may return 1; seawall's own code is \
-             {INTERRUPTED}, as `seawall status {} --exit-code` tells",
-            named(done.directory.path())
-        ));
-    }
 }
 
 /// The final words of a sweep, for people and programs.

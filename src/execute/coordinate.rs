@@ -53,8 +53,9 @@ pub fn coordinate(link: &mut dyn Link, session: &mut Session<'_>) -> Result<Work
     }
     session.directory.sync(true)?;
     session.directory.attempts().close()?;
-    session.directory.write_tables(session.study)?;
-    let finished = loop_.manager.unfinished() == 0;
+    let interrupt = session.interrupt;
+    let written = session.directory.write_tables(session.study, &|| interrupt.is_raised())?;
+    let finished = written && loop_.manager.unfinished() == 0;
     let ending = if finished { Ending::Finished } else { Ending::Interrupted };
     forget_load(session.directory.path())?;
     Ok(Worked { ending, savings: loop_.savings, load: loop_.loads.so_far() })

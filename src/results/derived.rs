@@ -4,7 +4,7 @@
 //! `energy.csv` are compared with the journal. This file is for the rest: page, figures, tables,
 //! films, files for ParaView. Before they are made again, their seals are removed, and it is noted
 //! that they are not finished. So a process that dies meanwhile leaves no false seals, and it shows.
-//! Whoever calls [`Derived::begin`], [`Derived::owe`] or [`Derived::renew`] holds [`Making`].
+//! Whoever calls a function here that writes holds [`Making`].
 
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
@@ -40,7 +40,7 @@ pub struct Derived {
     /// The figures and tables of the last report. Only these are removed.
     #[serde(default, skip_serializing_if = "BTreeSet::is_empty")]
     reported: BTreeSet<String>,
-    /// Whether a sweep has run its cases, but has not yet made the files that come after them.
+    /// Whether a sweep has begun to run cases, but has not yet made the files that come after them.
     #[serde(default, skip_serializing_if = "Not::not")]
     owed: bool,
     /// Whether a report or sweep has begun to make page, figures and tables, and has not ended.
@@ -78,6 +78,11 @@ impl Derived {
         Derived { owed: true, begun: true, ..Derived::begun(directory, MADE_BY_RUNS) }
             .write(directory)?;
         atomic_file::clean(&REPORTED.map(|folder| directory.join(folder)))
+    }
+
+    /// The same for a sweep that is about to run cases. What is there stays whole until then.
+    pub fn expect(directory: &Path) -> Result<(), SweepError> {
+        Derived { owed: true, ..Derived::read(directory) }.write(directory)
     }
 
     /// Whether a sweep ended before it had made the files that come after its cases.
@@ -173,7 +178,9 @@ pub(super) fn damage(directory: &Path) -> Vec<String> {
     told.chain(derived.ended_early(directory).then(|| CUT.to_owned())).collect()
 }
 
-const CUT: &str = "page, figures and tables were not finished: `seawall report` makes them again";
+/// What a report has not finished, or has not begun to make of the cases.
+pub(super) const CUT: &str =
+    "page, figures and tables were not finished: `seawall report` makes them again";
 
 /// The derived files that exist.
 fn names(directory: &Path) -> Vec<String> {

@@ -11,8 +11,10 @@ use super::filing::Filed;
 use super::filling::{self, Filled};
 use super::journal::{self, Journal};
 use super::left::{self, Left, Places};
+use super::load::forget_load;
 use super::lock::Lock;
 use super::looked::{Looked, Notes};
+use super::making::Wish;
 use super::opening::{self, Found, OpenMode, Opened, look};
 use super::record::CaseRecord;
 use super::stamp::CaseFiles;
@@ -138,9 +140,11 @@ impl Directory {
         &self.kept
     }
 
-    /// Removes all checkpoints, and the notes on files, after everything has run.
-    pub fn clear_checkpoints(&self) -> Result<(), SweepError> {
+    /// Removes what only a running study needs, after everything has run.
+    pub fn clear(&mut self) -> Result<(), SweepError> {
         Looked::forget(&self.path)?;
+        self.attempts.close()?;
+        forget_load(&self.path)?;
         checkpoints::clear(&self.path)
     }
 
@@ -219,13 +223,12 @@ impl Directory {
             probe_columns::put(&self.path, &columns)?;
         }
         self.journal.record(&record)?;
-        let index = record.index;
-        self.left.set(index, left::folders(&record.files));
+        self.left.set(record.index, left::folders(&record.files));
         if self.leaves_files(&record) {
             self.waiting.add_files(CaseFiles::of(record.id, &record.files), on_disk);
         }
         self.waiting.add_line(record.id);
-        self.runs[index] = Some(Ended { id: record.id, is_ok: record.is_ok() });
+        self.runs[record.index] = Some(Ended { id: record.id, is_ok: record.is_ok() });
         Ok(())
     }
 
@@ -234,11 +237,12 @@ impl Directory {
         self.waiting.sync(&self.path, &mut self.journal, now)
     }
 
-    /// Makes all tables from the journal's records, which are kept in memory from then on.
-    pub fn write_tables(&mut self, study: &Study) -> Result<(), SweepError> {
+    /// Makes all tables from the journal's records, which are kept in memory from then on. False
+    /// where another process writes there, and `gives_up` says not to wait for it.
+    pub fn write_tables(&mut self, study: &Study, gives_up: Wish<'_>) -> Result<bool, SweepError> {
         self.demand_in_place()?;
         self.records = again::finished_of(&self.path, study, &self.runs)?;
-        tables::write(&self.path, study, &self.records)
+        tables::write(&self.path, study, &self.records, gives_up)
     }
 }
 

@@ -41,8 +41,8 @@ fn session(
         kept.push(case.id);
     }
     directory.attempts().close()?;
-    directory.write_tables(study)?;
-    directory.clear_checkpoints()?;
+    directory.write_tables(study, &|| false)?;
+    directory.clear()?;
     directory.demand_in_place()?;
     write_all_histories(path)?;
     Manifest::new(path, study, &[], SIMD).write(path)

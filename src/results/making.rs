@@ -6,7 +6,7 @@
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::ErrorKind::Interrupted;
 use std::path::Path;
-use std::sync::mpsc;
+use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 use std::time::Duration;
 
@@ -15,6 +15,11 @@ use super::atomic_file;
 pub(super) const FILE_NAME: &str = "derived.lock";
 /// How long a process waits in silence.
 const SILENCE: Duration = Duration::from_secs(1);
+/// How often it then asks whether to give up.
+const LOOK: Duration = Duration::from_millis(50);
+
+/// Whether to stop waiting.
+pub type Wish<'a> = &'a dyn Fn() -> bool;
 
 /// A held lock. Dropping it releases it, and so does the end of its process.
 #[derive(Debug)]
@@ -27,21 +32,31 @@ impl Making {
     /// called if that takes more than a second. Where the file cannot be opened or the system has
     /// no locks, there is nothing to wait for: who cannot write finds out at the first file.
     pub fn hold(directory: &Path, waits: impl FnOnce()) -> Making {
+        Making::hold_unless(directory, waits, &|| false).unwrap_or(Making { _file: None })
+    }
+
+    /// The same; `None` where the other process is still at work after a second and `gives_up` says
+    /// not to wait any longer.
+    pub fn hold_unless(
+        directory: &Path,
+        waits: impl FnOnce(),
+        gives_up: Wish<'_>,
+    ) -> Option<Making> {
         let path = directory.join(FILE_NAME);
         let mut waits = Some(waits);
         loop {
             let open = OpenOptions::new().write(true).create(true).truncate(false).open(&path);
             let Ok(file) = open.or_else(|_| File::open(&path)) else {
-                return Making { _file: None };
+                return Some(Making { _file: None });
             };
             let file = match file.try_lock() {
                 Ok(()) => Some(file),
-                Err(TryLockError::WouldBlock) => waited(file, &mut waits),
+                Err(TryLockError::WouldBlock) => waited(file, &mut waits, gives_up)?,
                 Err(TryLockError::Error(_)) => None,
             };
             // The directory may have been moved aside meanwhile.
             if file.as_ref().is_none_or(|file| atomic_file::is_same(file, &path)) {
-                return Making { _file: file };
+                return Some(Making { _file: file });
             }
         }
     }
@@ -54,8 +69,12 @@ impl Making {
 }
 
 /// Waits in the system's queue: one that asks again and again may never find the lock free. `None`
-/// if there is no lock after all.
-fn waited(file: File, waits: &mut Option<impl FnOnce()>) -> Option<File> {
+/// once it gives up; no file if there is no lock after all.
+fn waited(
+    file: File,
+    waits: &mut Option<impl FnOnce()>,
+    gives_up: Wish<'_>,
+) -> Option<Option<File>> {
     let (sender, receiver) = mpsc::channel();
     thread::spawn(move || {
         let locked = loop {
@@ -67,11 +86,17 @@ fn waited(file: File, waits: &mut Option<impl FnOnce()>) -> Option<File> {
         // Nobody waits any more if the process ends.
         let _ = sender.send(locked.ok().map(|()| file));
     });
-    if let Ok(file) = receiver.recv_timeout(SILENCE) {
-        return file;
+    let mut patience = SILENCE;
+    loop {
+        match receiver.recv_timeout(patience) {
+            Ok(file) => return Some(file),
+            Err(RecvTimeoutError::Disconnected) => return Some(None),
+            // The thread goes on waiting, and lets go of the lock once it has it.
+            Err(RecvTimeoutError::Timeout) if gives_up() => return None,
+            Err(RecvTimeoutError::Timeout) => patience = LOOK,
+        }
+        waits.take().into_iter().for_each(|waits| waits());
     }
-    waits.take().into_iter().for_each(|waits| waits());
-    receiver.recv().ok().flatten()
 }
 
 #[cfg(test)]
@@ -100,6 +125,19 @@ mod tests {
             drop(second);
         });
         assert!(told && !Making::is_held(directory));
+    }
+
+    /// The story: a first signal to stop did nothing while a sweep waited here.
+    #[test]
+    fn who_waits_can_give_up_and_holds_nothing() {
+        let root = tempfile::tempdir().unwrap();
+        let first = Making::hold(root.path(), || {});
+        let mut told = false;
+        assert!(Making::hold_unless(root.path(), || told = true, &|| true).is_none());
+        assert!(!told, "it gave up before it had anything to tell");
+        drop(first);
+        drop(Making::hold(root.path(), || {}));
+        assert!(!Making::is_held(root.path()));
     }
 
     #[test]

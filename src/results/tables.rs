@@ -4,10 +4,11 @@ use std::fs::File;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::path::Path;
 
+use super::derived::Derived;
 use super::earlier::Earlier;
 use super::error::SweepError;
-use super::making::Making;
-use super::manifest::Manifest;
+use super::making::{Making, Wish};
+use super::manifest::{Manifest, SessionInfo};
 use super::record::CaseRecord;
 use super::{energy, probe_columns, summary};
 use crate::disk::names::{ENERGY, PROBE_COLUMNS, SUMMARY};
@@ -21,17 +22,20 @@ pub(super) enum Table {
     ProbeColumns,
 }
 
-/// Makes all tables of a sweep. A report may be about to make the same ones.
+/// Makes all tables of a sweep. A report may be about to make the same ones. False where the wait
+/// for it was given up.
 pub(super) fn write(
     directory: &Path,
     study: &Study,
     records: &[Option<CaseRecord>],
-) -> Result<(), SweepError> {
-    let _making = Making::hold(directory, || {});
+    gives_up: Wish<'_>,
+) -> Result<bool, SweepError> {
+    let Some(_making) = Making::hold_unless(directory, || {}, gives_up) else { return Ok(false) };
     let cases = &records[..study.cases.len().min(records.len())];
     summary::write(directory, study, records)?;
     energy::write(directory, cases)?;
-    probe_columns::write(directory, study, cases)
+    probe_columns::write(directory, study, cases)?;
+    Ok(true)
 }
 
 /// Makes the tables again that differ from the journal; returns their names. If the journal lacks
@@ -77,7 +81,7 @@ fn rows(directory: &Path) -> usize {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Fit {
     Right,
-    /// It is right as far as it goes, and the last sweep was killed before it made the table again.
+    /// It is right as far as it goes, and the last sweep ended before it made the table again.
     Older,
     /// It is not, in words.
     Wrong(&'static str),
@@ -113,7 +117,8 @@ impl Table {
         let wrong = "is not what the journal says";
         let was_killed = || {
             let sessions = Manifest::read(directory).map(|manifest| manifest.sessions);
-            sessions.is_some_and(|all| all.last().is_some_and(|last| last.ended.is_none()))
+            let killed = |all: Vec<SessionInfo>| all.last().is_some_and(|one| one.ended.is_none());
+            sessions.is_some_and(killed) || Derived::is_owed(directory)
         };
         if !path.exists() {
             // Otherwise the sweep has not come so far.

@@ -41,6 +41,6 @@ pub(super) fn finished(path: &Path, study: &Study) -> Directory {
     let mut directory = open(path, study);
     study.cases.iter().for_each(|case| run(&mut directory, study, case));
     directory.sync(true).unwrap();
-    directory.write_tables(study).unwrap();
+    directory.write_tables(study, &|| false).unwrap();
     directory
 }

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use super::derived::{CUT, Derived};
 use super::ended::{Ended, EndedLine, Line};
 use super::entries::{Condition, Content};
 use super::error::SweepError;
@@ -12,6 +13,7 @@ use super::manifest::Manifest;
 use super::record::{CaseRecord, HeldLine};
 use super::tables::{Fit, Table};
 use super::{checkpoints, derived, files, journal, opening};
+use crate::disk::names::PAGE;
 use crate::keys::named;
 use crate::study::Study;
 
@@ -51,6 +53,12 @@ pub fn verify(directory: &Path, study: &Study) -> Result<Verified, SweepError> {
         }
     }
     told.extend(of_the_rest(directory));
+    // A sweep that died after its last case has made no page of it.
+    let early = !older.is_empty() || !directory.join(PAGE).exists();
+    let is_owed = !running && records.iter().all(Option::is_some) && Derived::is_owed(directory);
+    if is_owed && early && !told.iter().any(|line| line == CUT) {
+        told.push(CUT.to_owned());
+    }
     Ok(Verified { told, older, damaged, records })
 }
 

@@ -48,7 +48,7 @@ fn tables_leave_out_a_case_that_is_to_run_again() {
     let (mut directory, opened) = open(&path, &study, OpenMode::Resume).unwrap();
     assert_eq!(opened, Opened::Resumed(1));
     assert!(directory.records().is_empty());
-    directory.write_tables(&study).unwrap();
+    directory.write_tables(&study, &|| false).unwrap();
     let there = directory.case_records().iter().map(|record| record.is_some());
     assert_eq!(there.collect::<Vec<_>>(), [false, true]);
     assert_eq!(fs::read_to_string(path.join("summary.csv")).unwrap().lines().count(), 2);

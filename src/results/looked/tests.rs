@@ -245,6 +245,6 @@ fn a_small_study_is_read_whole() {
 #[test]
 fn nothing_is_left_of_it_at_the_end() {
     let desk = Desk::noted();
-    trial::open(&desk.path(), &desk.study).clear_checkpoints().unwrap();
+    trial::open(&desk.path(), &desk.study).clear().unwrap();
     assert_eq!(desk.note(), None);
 }
