@@ -17,6 +17,9 @@ pub(super) fn figure(data: &Loaded) -> Result<Option<Figure>, ReportError> {
     let chosen = spread(&rows, CURVES).into_iter().map(|row| (row.words(), row)).collect();
     let lines = read(data, chosen)?;
     let mut strips = strips(&lines);
+    if rows.is_empty() {
+        return Ok(None);
+    }
     let weightless = weightless_unit(data);
     if let Some(unit) = weightless {
         strips.iter_mut().filter(|strip| strip.name == FORCE.name).for_each(|strip| {
