@@ -132,7 +132,7 @@ fn elsewhere(
         let default = || (all.iter().find(|known| known.name == when.key)?.default)();
         let is_swept = swept.iter().any(|key| key == when.key);
         let has = fixed(when.key).or_else(default).filter(|_| !is_swept)?;
-        let differs = !when.values.contains(&has.as_str()?);
+        let differs = !when.has(&has);
         differs.then(|| {
             format!("{} belongs to {when}; {} is {has} in every case here", key.name, when.key)
         })

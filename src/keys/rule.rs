@@ -46,7 +46,7 @@ pub enum Range {
 pub struct When {
     /// The other key.
     pub key: &'static str,
-    /// Its values.
+    /// Its values, those of a flag as `true` and `false`.
     pub values: &'static [&'static str],
 }
 
@@ -161,14 +161,44 @@ impl Range {
 impl When {
     /// Whether it holds for a section with these values.
     pub fn holds(self, values: &Table) -> bool {
-        let value = values.get(self.key).and_then(Value::as_str);
-        value.is_some_and(|value| self.values.contains(&value))
+        values.get(self.key).is_some_and(|value| self.has(value))
+    }
+
+    /// Whether a value of the other key is one of them. That of a flag is compared by its text.
+    pub fn has(self, value: &Value) -> bool {
+        let flag = value.as_bool().map(|on| FLAGS[usize::from(on)]);
+        value.as_str().or(flag).is_some_and(|value| self.values.contains(&value))
     }
 }
 
+/// The values of a flag, in files without quotes.
+const FLAGS: [&str; 2] = ["false", "true"];
+
 impl std::fmt::Display for When {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let values: Vec<_> = self.values.iter().map(|value| format!("{value:?}")).collect();
+        let told = |value: &&str| match FLAGS.contains(value) {
+            true => (*value).to_owned(),
+            false => format!("{value:?}"),
+        };
+        let values: Vec<_> = self.values.iter().map(told).collect();
         write!(f, "{} = {}", self.key, values.join(" or "))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The story: a key that is read where a flag is on was read nowhere.
+    #[test]
+    fn a_condition_may_ask_for_a_flag() {
+        let on = When { key: "surface_relief", values: &["true"] };
+        let holds = |text: &str| on.holds(&text.parse().unwrap());
+        assert!(holds("surface_relief = true"));
+        assert!(!holds("surface_relief = false") && !holds("") && !holds("surface_relief = 1"));
+        assert_eq!(on.to_string(), "surface_relief = true");
+        let named = When { key: "wall", values: &["fixed", "movable"] };
+        assert!(named.holds(&"wall = \"movable\"".parse().unwrap()));
+        assert_eq!(named.to_string(), "wall = \"fixed\" or \"movable\"");
     }
 }

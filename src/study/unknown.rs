@@ -54,7 +54,7 @@ fn apart(name: &str, scene: &Table, file: &Table) -> Option<String> {
     let when = known(name)?.rule.only?;
     let own = scene.get(when.key).cloned().or_else(|| (known(when.key)?.default)())?;
     let swept = file.get("grid").is_some_and(|grid| grid.get(when.key).is_some());
-    let holds = own.as_str().is_none_or(|own| when.values.contains(&own));
+    let holds = when.has(&own);
     let stands = own.clone().try_into().is_ok_and(|wall: WallChoice| !wall.moves());
     let means = if stands { ", which stands still" } else { "" };
     (!swept && !holds).then(|| format!(" It belongs to {when}; here {} = {own}{means}", when.key))
