@@ -151,6 +151,9 @@ fn keys_and_columns_are_explained() {
         assert!(key.contains(line), "{key}");
     }
     assert!(key.contains("column of summary.csv"), "{key}");
+    let read = explain("shepard_lambda");
+    assert!(read.contains("read only  with boundary = \"improved-shepard\""), "{read}");
+    assert!(read.contains("only with  scheme = \"wcsph\""), "{read}");
     assert!(explain("force_max").contains("error bar force_max_error"));
     let symbol = explain("F*");
     assert!(symbol.contains("force_max: column") && symbol.contains("first_force_max: column"));

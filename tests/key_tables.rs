@@ -136,6 +136,23 @@ fn the_docs_have_the_defaults_by_scene() {
     renew_or_compare(&path, &text, &format!("{before}{START}{table}{END}{after}"));
 }
 
+/// The story: the bars of Σ|w_j| ended a cell, and the words behind them were in no column.
+#[test]
+fn every_row_of_the_tables_has_as_many_cells_as_its_head() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/files.md");
+    let text = fs::read_to_string(&path).unwrap();
+    let mut cells = 0;
+    for (number, line) in text.lines().enumerate() {
+        if !line.starts_with('|') {
+            cells = 0;
+            continue;
+        }
+        let own = line.replace("\\|", "").matches('|').count();
+        cells = if cells == 0 { own } else { cells };
+        assert_eq!(own, cells, "docs/files.md:{}: {line}", number + 1);
+    }
+}
+
 #[test]
 fn units_end_names() {
     let scenes = Kind::ALL.iter().flat_map(|&kind| scene_keys(kind));

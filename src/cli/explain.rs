@@ -72,7 +72,8 @@ fn explained(entry: &Entry) -> String {
         ("default", &entry.default),
     ];
     lines.extend(entry.suited.iter().map(|told| ("or", told)));
-    lines.extend([("only with", &entry.only), ("see also", &entry.besides)]);
+    let read = if entry.read_only.is_empty() { "" } else { "with " }.to_owned() + &entry.read_only;
+    lines.extend([("only with", &entry.only), ("read only", &read), ("see also", &entry.besides)]);
     for (label, value) in lines.into_iter().filter(|(_, value)| !value.is_empty()) {
         let lines = wrapped(value, WIDTH - INDENT - 2);
         for (number, line) in lines.iter().enumerate() {

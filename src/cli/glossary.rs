@@ -37,9 +37,12 @@ pub(super) struct Entry {
     /// What it holds by default in some scenes, where that is something else.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub suited: Vec<String>,
-    /// Where a key applies.
+    /// Where a key is allowed, if not everywhere.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub only: String,
+    /// Where a key is read, if not wherever it is allowed.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub read_only: String,
     /// Other columns that belong to a column.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub besides: String,
@@ -111,7 +114,8 @@ fn of_key(key: &Key, of: &str) -> Entry {
         allowed: key.allowed_in_words(),
         default: key.default_in_words(),
         suited: if of == NUMERICS { suited(key.name) } else { Vec::new() },
-        only: key.where_in_words(),
+        only: key.allowed_where(),
+        read_only: key.read_where(),
         ..Entry::default()
     }
 }

@@ -86,12 +86,20 @@ impl Key {
     }
 
     /// The same as declared, and where it applies.
-    pub fn meaning_in_markdown(&self) -> String {
+    pub fn meaning_and_place(&self) -> String {
         let mut text = self.meaning.trim().to_owned();
-        for when in self.conditions() {
+        if let Some(when) = self.rule.only {
             text += &format!(" Only with `{when}`.");
         }
+        if let Some(when) = self.rule.read {
+            text += &format!(" Read only with `{when}`.");
+        }
         text
+    }
+
+    /// The same for a cell of a table, which a bar would end.
+    pub fn meaning_in_markdown(&self) -> String {
+        self.meaning_and_place().replace('|', "\\|")
     }
 
     /// Its allowed values.
@@ -108,9 +116,14 @@ impl Key {
         }
     }
 
-    /// Where it applies; empty if always.
-    pub fn where_in_words(&self) -> String {
-        self.conditions().map(|when| when.to_string()).collect::<Vec<_>>().join(", ")
+    /// Where it is allowed; empty if everywhere.
+    pub fn allowed_where(&self) -> String {
+        self.rule.only.map(|when| when.to_string()).unwrap_or_default()
+    }
+
+    /// Where it is read, if it is not read wherever it is allowed; else empty.
+    pub fn read_where(&self) -> String {
+        self.rule.read.map(|when| when.to_string()).unwrap_or_default()
     }
 
     /// The error of a value that its type does not take, with the type's reason.

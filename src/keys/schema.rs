@@ -50,7 +50,7 @@ impl Key {
         }
         let unit = Some(self.rule.unit).filter(|unit| !unit.is_empty());
         let unit = unit.map(|unit| format!(" Unit: {unit}.")).unwrap_or_default();
-        schema["description"] = json!(format!("{}{unit}", self.meaning_in_markdown()));
+        schema["description"] = json!(format!("{}{unit}", self.meaning_and_place()));
         if let Some(default) = (self.default)() {
             schema["default"] = json!(default);
         }
