@@ -176,6 +176,20 @@ fn what_viscosity_takes_in_a_long_step_is_told_as_it_is() {
 
 /// In a box without a surface nothing lets sound go. With three steps to a full one, two of these failed as energy came
 /// from nowhere. The others found 8 to 180 % of what the flow had.
+/// The story: a diffusion that read shares which nobody had found did nothing, and no test noticed.
+#[test]
+fn every_density_diffusion_takes_energy() {
+    let all = seawall::scene::numerics_keys();
+    let key = all.iter().find(|key| key.name == "density_diffusion").unwrap();
+    let seawall::keys::Shape::Names(names) = (key.shape)() else { panic!("it has no names") };
+    for name in names {
+        let numerics = format!("particle_spacing_m = 0.05\ndensity_diffusion = {name:?}");
+        let scene = "kind = \"taylor-green\"\nend_time_s = 0.2";
+        let taken = run(scene, &numerics).energy.density_diffusion_j_per_m;
+        assert_eq!(*name != "none", taken > 0.0, "{name}: {taken} J/m");
+    }
+}
+
 #[test]
 fn vortices_in_a_box_get_no_energy_from_sound() {
     for spacing in [0.035, 0.027, 0.0213] {

@@ -6,6 +6,7 @@
 //! So D_i is a sum of differences: 2 δ h c0/R (ψ_i Σ g s_j - Σ g s_j ψ_j). g is the factor of Δ in
 //! V_j ∇W.
 
+use super::DensityDiffusion;
 use super::correction::solve_symmetric;
 use crate::pairs::{Double, Eight, Factors, Held, Here, Neighbour, Other, Pair, Real, Term};
 
@@ -13,6 +14,10 @@ use crate::pairs::{Double, Eight, Factors, Held, Here, Neighbour, Other, Pair, R
 pub(super) trait Diffusion: Copy + Sync {
     /// Whether there is any diffusion.
     const ON: bool = true;
+    /// Whether it reads the share of each particle in the diffusion (`diffused_share`).
+    const FADES: bool = false;
+    /// Whether it reads the renormalised gradient of ψ, and the sums of slants.
+    const SLANTS: bool = false;
     /// Of a neighbour, from the smoothed field: its share times ψ, and its share.
     #[inline(always)]
     fn neighbour<D: Double>(self, _: Here, smoothed: D) -> [D; 2] {
@@ -29,6 +34,28 @@ pub(super) trait Diffusion: Copy + Sync {
     fn faded<D: Double>(self, _: Here, rate: D) -> D {
         rate
     }
+}
+
+/// What the scheme finds for a formulation: see its constants of these names.
+pub(super) struct Reads {
+    pub fades: bool,
+    pub slants: bool,
+}
+
+impl DensityDiffusion {
+    /// What its formulation reads.
+    pub(super) fn reads(self) -> Reads {
+        match self {
+            DensityDiffusion::None => reads::<NoDiffusion>(),
+            DensityDiffusion::Molteni => reads::<Molteni>(),
+            DensityDiffusion::Hydrostatic => reads::<Hydrostatic<'_>>(),
+            DensityDiffusion::Renormalised => reads::<Renormalised<'_>>(),
+        }
+    }
+}
+
+fn reads<F: Diffusion>() -> Reads {
+    Reads { fades: F::FADES, slants: F::SLANTS }
 }
 
 /// Runs `$body` with the chosen formulation: an arm for each.
@@ -83,6 +110,7 @@ pub(super) struct Hydrostatic<'a> {
 }
 
 impl Diffusion for Hydrostatic<'_> {
+    const FADES: bool = true;
     #[inline(always)]
     fn neighbour<D: Double>(self, here: Here, smoothed: D) -> [D; 2] {
         let share = here.of::<D>(self.share);
@@ -107,6 +135,7 @@ pub(super) struct Renormalised<'a> {
 }
 
 impl Diffusion for Renormalised<'_> {
+    const SLANTS: bool = true;
     #[inline(always)]
     fn neighbour<D: Double>(self, here: Here, smoothed: D) -> [D; 2] {
         let ([slope_x, slope_y], [x, y]) =

@@ -2,7 +2,7 @@
 
 use super::shifting::Shift;
 use super::volume::Restore;
-use super::{DensityDiffusion, Wcsph, WcsphOptions};
+use super::{Wcsph, WcsphOptions};
 use crate::body::{BodyMotion, Place};
 use crate::boundary::Plane;
 use crate::math::simd::dispatch;
@@ -41,7 +41,7 @@ impl Wcsph {
 
     /// Finds the share of each particle in the density diffusion until the next full step.
     pub(super) fn find_diffused_shares(&mut self) {
-        if self.options.density_diffusion == DensityDiffusion::Hydrostatic {
+        if self.options.density_diffusion.reads().fades {
             let (values, shares) = (&*self.work.completeness, &mut *self.work.diffused_share);
             let (from, to) = (DIFFUSE_FROM, DIFFUSE_FULL);
             dispatch(self.pairs.path, Ramp { values, from, to, shares });

@@ -1,6 +1,6 @@
 //! Removes water that has gone over a crest.
 
-use super::{DensityDiffusion, Wcsph, Workspace};
+use super::{Wcsph, Workspace};
 use crate::pairs::{Factors, Record, gather};
 
 impl Wcsph {
@@ -50,7 +50,7 @@ impl Wcsph {
         self.ahead = [vec![0.0; padded], vec![0.0; padded]];
         self.records = vec![Record::default(); padded + ghosts];
         self.numbers = vec![Factors::default(); padded + ghosts];
-        if self.options.density_diffusion == DensityDiffusion::Renormalised {
+        if self.options.density_diffusion.reads().slants {
             self.slants = vec![Factors::default(); padded];
         }
     }

@@ -2,7 +2,7 @@
 
 use super::diffusion::{Diffusion, with_diffusion};
 use super::pressing::Pressing;
-use super::{DensityDiffusion, Wcsph, Workspace};
+use super::{Wcsph, Workspace};
 use crate::pairs::{Double, Each, Factors, Flow, Fluid, Here, Record, Scaling};
 
 /// Everything about the water that the pass of a full step reads.
@@ -112,7 +112,7 @@ impl Wcsph {
         let (flow, work, diffused) = (self.flow(), &self.work, &*self.diffused);
         let accelerations = [&*work.acceleration_x, &*work.acceleration_y];
         let places = [&*work.scaled_x, &*work.scaled_y];
-        if self.options.density_diffusion == DensityDiffusion::Renormalised {
+        if self.options.density_diffusion.reads().slants {
             let gradient = [&*work.gradient_x, &*work.gradient_y];
             self.pairs.each(&mut self.slants[..n], &Slants { gradient, places });
         }

@@ -81,7 +81,7 @@ impl Wcsph {
             let of_water = (&*self.strain, &*self.diffused, self.options.density);
             round(self.pairs.path, &self.records, of_water, &mut self.singles);
         }
-        let renormalised = self.options.density_diffusion == DensityDiffusion::Renormalised;
+        let renormalised = self.options.density_diffusion.reads().slants;
         let viscous = self.options.artificial_viscosity > 0.0;
         match (self.options.corrected_gradients, viscous, renormalised) {
             (true, true, true) => self.momentum::<true, true, true>(dt),

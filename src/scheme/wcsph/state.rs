@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Carried, DensityDiffusion, WcsphOptions, Workspace};
+use super::{Carried, WcsphOptions, Workspace};
 use crate::body::BodyMotion;
 use crate::boundary::{Exchange, ExchangeRules, GhostGravity, Ghosts, InterpolatorChoice, Plane};
 use crate::math::simd::SimdPath;
@@ -107,9 +107,9 @@ impl Wcsph {
             reference_bodies: vec![BodyMotion::default(); bodies],
             numbers: vec![Factors::default(); padded + ghosts.len()],
             bed_numbers: Vec::new(),
-            slants: match options.density_diffusion {
-                DensityDiffusion::Renormalised => vec![Factors::default(); padded],
-                _ => Vec::new(),
+            slants: match options.density_diffusion.reads().slants {
+                true => vec![Factors::default(); padded],
+                false => Vec::new(),
             },
             substep: 0,
             lead: 0.0,
