@@ -211,8 +211,9 @@ impl Study {
         let (name, keys) = (self.name.clone(), self.keys.clone());
         let study = Study::of(name, keys, cases, &bars, &self.file_text);
         let (limits, max_error_percent) = (self.limits, self.max_error_percent);
-        let (identity, sets) = (self.identity.clone(), self.sets.clone());
-        Study { identity, limits, max_error_percent, sets, ..study }
+        let (identity, sets, unread) =
+            (self.identity.clone(), self.sets.clone(), self.unread.clone());
+        Study { identity, limits, max_error_percent, sets, unread, ..study }
     }
 }
 

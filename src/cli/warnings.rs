@@ -15,7 +15,7 @@ use crate::math::tally::Tally;
 use crate::math::words::counted;
 use crate::scene::{SeawallScene, odd_by_key};
 use crate::simulation::{Cost, Limits, cost};
-use crate::study::{Case, Study};
+use crate::study::{Case, Study, Unread};
 
 /// A study that takes longer than this is reported with the keys that make it long, seconds.
 const LONG_S: f64 = 86_400.0;
@@ -28,12 +28,21 @@ pub(super) fn tell(file: &Path, study: &Study, output: &Output) {
     KnownLimits::of(study).tell(output);
 }
 
-/// The odd values of a study, a line per key, and its cost if high. `time` is from [`time_of_all`].
+/// The odd values of a study and the keys that are not read, a line per key, and its cost if high. `time` is from [`time_of_all`].
 pub(super) fn warnings(study: &Study, time: (f64, usize)) -> Vec<String> {
     let odd = Tally::of(&study.cases, |case| odd_by_key(&case.config));
     let odd = odd.lines(|cases| format!(" (in {})", counted(cases, "case"))).into_iter();
-    let odd = odd.chain(unaimed(study)).chain(without_bars(study));
+    let odd = odd.chain(unread(study)).chain(unaimed(study)).chain(without_bars(study));
     odd.chain(unbarred(study)).chain(long(study, time)).chain(limited(study)).collect()
+}
+
+/// Keys that some cases do not read, a line per key.
+fn unread(study: &Study) -> impl Iterator<Item = String> {
+    let all = study.cases.len();
+    study.unread.iter().map(move |Unread { told, cases }| match *cases == all {
+        true => told.to_string(),
+        false => format!("{told} (in {})", counted(*cases, "case")),
+    })
 }
 
 /// A single scene runs as it is, even if its file aims at an error.

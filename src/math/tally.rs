@@ -47,6 +47,11 @@ impl<K: Ord + Send, T: Send> Tally<K, T> {
         self.told.iter().map(|(key, (_, cases))| (key, *cases))
     }
 
+    /// What was told of each key, with its number of cases.
+    pub fn counts(self) -> impl Iterator<Item = (T, usize)> {
+        self.told.into_values()
+    }
+
     /// A line per key. Where it is told of only some of the cases, what `some` makes of their
     /// number follows.
     pub fn lines(self, some: impl Fn(usize) -> String) -> Vec<String>

@@ -19,6 +19,7 @@ mod schema;
 mod single;
 mod syntax;
 mod unknown;
+mod unread;
 
 pub use axis::GridAxis;
 pub use case::{Assignments, Case, CaseId, PHYSICS_VERSION};
@@ -28,6 +29,7 @@ pub use limits::limits_keys;
 pub use plan::{Plan, PlannedCase, PlannedTrunk};
 pub use refine::{Refine, refine_keys};
 pub use schema::schema;
+pub use unread::Unread;
 
 pub use crate::keys::Override;
 use crate::keys::Recent;
@@ -63,6 +65,8 @@ pub struct Study {
     pub limits: Limits,
     /// How points are added to it.
     pub refine: Option<Refine>,
+    /// Keys that the file gives and some cases do not read.
+    pub unread: Vec<Unread>,
     /// The file as written.
     pub file_text: String,
     /// The command line's values.
@@ -91,11 +95,12 @@ impl Study {
             bars
         };
         let bars: Vec<_> = cases.iter_mut().map(&mut take_bars).collect();
+        let unread = unread::unread(file, &cases);
         let keys: Vec<String> = file.grid.iter().map(|axis| axis.key.clone()).collect();
         let study = Study::of(file.name.clone(), keys, cases, &bars, &file.text);
         let (max_error_percent, refine) = (file.max_error_percent, file.refine.clone());
         let (limits, sets) = (file.limits, file.sets.clone());
-        Study { max_error_percent, refine, limits, sets, ..study }
+        Study { max_error_percent, refine, limits, sets, unread, ..study }
     }
 
     /// A study of the given cases. If `bars` has fewer entries, the other cases have no bars.
@@ -129,6 +134,7 @@ impl Study {
             max_error_percent,
             limits: Limits::default(),
             refine,
+            unread: Vec::new(),
             file_text,
             sets: Vec::new(),
         }
