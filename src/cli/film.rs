@@ -59,6 +59,9 @@ pub(super) fn main(args: &FilmArgs, output: &Output) -> anyhow::Result<u8> {
         let value = json!({ "case_id": case.id, "same": true, "film": json_path(path) });
         output.result(&format!("{}\n", named(path)), &value)?;
         output.note(format_args!("`seawall report {}` puts it into the page", named(&args.dir)));
+    } else if matches!(shot, Shot::Interrupted) {
+        let out = json_path(&args.dir);
+        output.result("", &json!({ "interrupted": true, "case_id": case.id, "out": out }))?;
     }
     Ok(shot.code())
 }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
-use super::output::json_path;
+use super::output::{Output, json_path};
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS, lost_bars};
 use crate::execute::Ending;
 use crate::math::simd::SimdPath;
@@ -120,6 +120,19 @@ impl Done {
         value["error_bars"] = Value::Object(bars.collect());
         value["failed_companions"] = lost_bars::json(study, record, self.directory.records());
         value
+    }
+
+    /// Tells programs what is known of a job that was interrupted, and returns its exit code.
+    pub(super) fn interrupted(&self, job: &Job, output: &Output) -> anyhow::Result<u8> {
+        let value = json!({
+            "interrupted": true,
+            "name": job.study.name,
+            "out": json_path(self.directory.path()),
+            "cases": job.study.cases.len(),
+            "done": self.records().count(),
+        });
+        output.result("", &value)?;
+        Ok(INTERRUPTED)
     }
 
     pub(super) fn json(&self, job: &Job, report: Option<&Path>) -> Result<Value, SweepError> {

@@ -116,7 +116,11 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
         let seal = |folder| Derived::renew_folder(done.directory.path(), folder);
         filmed.into_iter().flatten().try_for_each(seal)?;
     }
-    for record in &done.whole(&job.study)? {
+    let records = done.whole(&job.study)?;
+    if records.is_empty() {
+        return done.interrupted(&job, output);
+    }
+    for record in &records {
         let config = &job.study.cases[record.index].config;
         let bars = job.study.error_bars(record.index, done.directory.records());
         let told = words::results(record, config, bars);

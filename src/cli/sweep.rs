@@ -175,7 +175,7 @@ fn lead(
         .then(|| notices::hold_making_unless(path, interrupt, output));
     let Some(_making) = making.flatten() else {
         notices::tell_interrupted(&job, &done, crew, output);
-        return Ok(INTERRUPTED);
+        return done.interrupted(&job, output);
     };
     Derived::owe(done.directory.path())?;
     let (filming, film_time_s) =

@@ -19,6 +19,8 @@ mod cli_film;
 mod cli_find;
 #[path = "../cli_input.rs"]
 mod cli_input;
+#[path = "../cli_interrupted.rs"]
+mod cli_interrupted;
 #[path = "../cli_loads.rs"]
 mod cli_loads;
 #[path = "../cli_making.rs"]
