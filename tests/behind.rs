@@ -58,6 +58,13 @@ fn gauges_at_both_faces_read_the_water_before_them() {
     assert!((levels[0] - 0.2).abs() < 0.002 && (levels[1] - 0.16).abs() < 0.002, "{levels:?}");
 }
 
+/// The story: `water_in_tank` held the water on the crest and behind it, too, and the parts were more than the whole.
+fn assert_parts_make_the_whole(case: &CaseResult, parts: &[&str]) {
+    let sum: f64 = parts.iter().map(|part| reading(case, part)).sum();
+    let whole = reading(case, "water_at_start");
+    assert!((sum + reading(case, "water_gap") - whole).abs() < 1e-9, "{sum} kg/m of {whole}");
+}
+
 /// Both waters lie still beside one another at their own levels, and the wall feels its front alone.
 #[test]
 fn a_basin_rests_beside_the_tank() {
@@ -76,6 +83,7 @@ fn a_basin_rests_beside_the_tank() {
         println!("{floor} {level}: {kinetic} J/m, F* off by {off}, {} m² over", over.volume_m2);
         assert!(kinetic < 1e-3 && off < 0.02 && over.volume_m2.abs() < 1e-12);
         assert!(reading(&both, "water_gap").abs() < 1e-9 && both.outcome.particles_lost == 0);
+        assert_parts_make_the_whole(&both, &["water_in_tank", "water_on_crest", "water_behind"]);
         let moved = both.outcome.force_at_rest / alone.outcome.force_at_rest - 1.0;
         assert!(moved.abs() < 1e-9, "the wall feels what is behind it: {moved}");
         let films = places.0.into_inner().unwrap();

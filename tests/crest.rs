@@ -155,6 +155,10 @@ fn what_goes_over_is_what_the_tank_has_lost() {
     assert!((over_all / counted - 1.0).abs() < 0.02, "by particles");
     // All of the mass is somewhere, and all of the energy.
     assert!(reading(&case, "water_gap").abs() < 1e-9, "{}", reading(&case, "water_gap"));
+    // The story: the water in the tank held that on the crest, and the parts were more than the whole.
+    let parts = ["water_in_tank", "water_on_crest", "water_taken_away", "water_gap"];
+    let sum: f64 = parts.iter().map(|part| reading(&case, part)).sum();
+    assert!((sum - reading(&case, "water_at_start")).abs() < 1e-9, "{sum} kg/m");
     assert!(reading(&case, "particles_taken_away") > 40.0);
     println!("energy gap {} %", case.outcome.energy_gap_percent);
     assert!(case.outcome.energy_gap_percent.abs() < 1.0);

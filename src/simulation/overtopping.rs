@@ -95,14 +95,16 @@ impl Overtopping {
             on.fold(0.0, |sum, k| sum + fluid.mass[k])
         };
         let crest = water.walls().crest.as_ref();
+        let on_crest = crest.map(|at| on_top(water.fluid(), at.ends));
+        let kept = crest.filter(|crest| crest.end.is_some());
+        let behind = kept.map(|at| on_top(water.fluid(), [at.ends[1], f64::INFINITY]));
+        let before = left - on_crest.unwrap_or(0.0) - behind.unwrap_or(0.0);
         all.tell("water_at_start", self.start_mass, "kg/m");
-        all.tell("water_in_tank", left, "kg/m");
-        all.tell("water_on_crest", crest.map(|at| on_top(water.fluid(), at.ends)), "kg/m");
+        all.tell("water_in_tank", before, "kg/m");
+        all.tell("water_on_crest", on_crest, "kg/m");
         all.tell("water_taken_away", taken.mass, "kg/m");
         all.tell("particles_taken_away", f64::from(taken.particles), "");
         all.tell("water_gap", self.start_mass - left - taken.mass, "kg/m");
-        let behind = crest.filter(|crest| crest.end.is_some());
-        let behind = behind.map(|at| on_top(water.fluid(), [at.ends[1], f64::INFINITY]));
         all.tell("water_behind", behind, "kg/m");
     }
 }
