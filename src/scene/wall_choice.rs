@@ -102,3 +102,30 @@ impl WallChoice {
         self.nature().look
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use serde::Deserialize;
+    use serde::de::IntoDeserializer;
+    use serde::de::value::{Error, StrDeserializer};
+
+    use super::*;
+    use crate::keys::{Section, Shape};
+    use crate::scene::SeawallScene;
+
+    /// The story: a new wall had a threshold, and the keys that set it did not name the wall.
+    #[test]
+    fn keys_of_the_threshold_name_the_walls_that_have_one() {
+        let keys = SeawallScene::keys();
+        let key = |name: &str| keys.iter().find(|key| key.name == name).unwrap();
+        let Shape::Names(walls) = (key("wall").shape)() else { panic!("walls have names") };
+        for name in walls {
+            let word: StrDeserializer<Error> = name.into_deserializer();
+            let wall = WallChoice::deserialize(word).unwrap();
+            for of in ["threshold_ratio", "force_coupling"] {
+                let read = key(of).rule.read.unwrap();
+                assert_eq!(read.values.contains(name), wall.has_threshold(), "{of}, {name}");
+            }
+        }
+    }
+}
