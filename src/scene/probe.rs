@@ -40,6 +40,28 @@ pub enum ProbeKind {
     Discharge,
 }
 
+/// Where a kind of probe may stand, and why nowhere else.
+enum Stands {
+    Anywhere,
+    AtWall(&'static str),
+    AtPlace(&'static str),
+}
+
+impl ProbeKind {
+    fn stands(self) -> Stands {
+        match self {
+            ProbeKind::Pressure => Stands::Anywhere,
+            ProbeKind::Level | ProbeKind::Elevation => {
+                Stands::AtPlace("measures a level: give x_m instead")
+            }
+            ProbeKind::Void => Stands::AtWall("looks for voids at a wall and needs it"),
+            ProbeKind::Volume | ProbeKind::Discharge => {
+                Stands::AtPlace("measures at a section: give x_m instead")
+            }
+        }
+    }
+}
+
 /// The wall that a probe sits in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -90,33 +112,28 @@ impl Probe {
 
     /// How and where it measures, in a few words.
     pub fn method(&self) -> String {
+        let x = self.x_m.unwrap_or(0.0);
+        let level = |over: &str| format!("{over} where kernel coverage falls to 1/2; x = {x} m");
+        match self.kind {
+            ProbeKind::Pressure => self.method_of_pressure(),
+            ProbeKind::Level => level("surface over the paddle's foot"),
+            ProbeKind::Elevation => level(OVER_STILL_WATER),
+            ProbeKind::Volume => format!("mass beyond x = {x} m over the density"),
+            ProbeKind::Discharge => {
+                format!("momentum within three spacings of x = {x} m over the density")
+            }
+            ProbeKind::Void => "largest empty share of the kernel at the wall, from its toe to a \
+                                support radius below the highest contact"
+                .to_owned(),
+        }
+    }
+
+    fn method_of_pressure(&self) -> String {
         let y = self.y_m.unwrap_or(0.0);
-        let place = match (self.kind, self.wall, self.x_m) {
-            (ProbeKind::Level | ProbeKind::Elevation, _, x) => {
-                let x = x.unwrap_or(0.0);
-                let over = match self.kind {
-                    ProbeKind::Level => "surface over the paddle's foot",
-                    _ => OVER_STILL_WATER,
-                };
-                return format!("{over} where kernel coverage falls to 1/2; x = {x} m");
-            }
-            (ProbeKind::Volume, _, x) => {
-                return format!("mass beyond x = {} m over the density", x.unwrap_or(0.0));
-            }
-            (ProbeKind::Discharge, _, x) => {
-                return format!(
-                    "momentum within three spacings of x = {} m over the density",
-                    x.unwrap_or(0.0)
-                );
-            }
-            (ProbeKind::Void, ..) => {
-                return "largest empty share of the kernel at the wall, from its toe to a support \
-                        radius below the highest contact"
-                    .to_owned();
-            }
-            (_, Some(Side::Left), _) => format!("left wall; y = {y} m"),
-            (_, Some(Side::Right), _) => format!("right wall; y = {y} m"),
-            (_, None, x) => format!("x = {} m; y = {y} m", x.unwrap_or(0.0)),
+        let place = match self.wall {
+            Some(Side::Left) => format!("left wall; y = {y} m"),
+            Some(Side::Right) => format!("right wall; y = {y} m"),
+            None => format!("x = {} m; y = {y} m", self.x_m.unwrap_or(0.0)),
         };
         let mean = match self.diameter_m {
             Some(diameter) if diameter > 0.0 => format!("; mean over a disc of {diameter} m"),
@@ -191,15 +208,9 @@ impl Probe {
         let wrong =
             |key: &str, value: String, why: &str| error(key, value, &format!("{name} {why}"));
         let none = String::new();
-        match (self.kind, self.wall, self.x_m) {
-            (ProbeKind::Void, None, _) => {
-                return wrong("wall", none, "looks for voids at a wall and needs it");
-            }
-            (ProbeKind::Level | ProbeKind::Elevation, Some(_), _) => {
-                return wrong("wall", none, "measures a level: give x_m instead");
-            }
-            (ProbeKind::Volume | ProbeKind::Discharge, Some(_), _) => {
-                return wrong("wall", none, "measures at a section: give x_m instead");
+        match (self.kind.stands(), self.wall, self.x_m) {
+            (Stands::AtWall(why), None, _) | (Stands::AtPlace(why), Some(_), _) => {
+                return wrong("wall", none, why);
             }
             (_, None, None) => return wrong("x_m", none, "needs a place: x_m, or wall"),
             (_, Some(_), Some(x)) => {
