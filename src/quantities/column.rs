@@ -99,6 +99,11 @@ impl Column {
         matches!(self.read, Read::Text(_))
     }
 
+    /// Whether it holds `true` and `false`.
+    pub fn is_flag(&self) -> bool {
+        matches!(self.read, Read::Flag(_))
+    }
+
     /// Whether it holds numbers.
     pub fn is_number(&self) -> bool {
         !matches!(self.read, Read::Text(_) | Read::Flag(_))

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::subject::{Reading, Subject};
+use super::subject::{Reading, Subject, flag};
 use crate::math::decimal;
 use crate::report::load::Loaded;
 
@@ -169,11 +169,18 @@ fn comparison(text: &str, data: &Loaded) -> Result<Comparison, String> {
     if name.is_empty() {
         return bad("names no column");
     }
+    let subject = || Subject::of(name, data);
+    if let Some(limit) = flag(limit) {
+        let subject = subject().ok().filter(|subject| subject.is_flag);
+        if let Some(subject) = subject {
+            return Ok(Comparison { subject, operator, limit });
+        }
+    }
     let Some(limit) = decimal::read(limit).filter(|limit| limit.is_finite()) else {
         let only = "the limit must be one finite number, without a unit";
         return bad(&format!("{limit:?} is no limit: {only}"));
     };
-    Ok(Comparison { subject: Subject::of(name, data)?, operator, limit })
+    Ok(Comparison { subject: subject()?, operator, limit })
 }
 
 impl fmt::Display for Comparison {

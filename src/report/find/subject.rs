@@ -13,6 +13,13 @@ pub struct Subject {
     pub name: String,
     /// Its number in each row.
     pub readings: Vec<Reading>,
+    /// Whether its values are `true`, read as 1, and `false`, read as 0.
+    pub is_flag: bool,
+}
+
+/// 1 for `true`, 0 for `false`.
+pub(super) fn flag(text: &str) -> Option<f64> {
+    Some(f64::from(u8::from(text.parse::<bool>().ok()?)))
 }
 
 /// A case's number.
@@ -47,11 +54,11 @@ impl Subject {
         let reading = |(at, row): (usize, &Row)| {
             let (mut bar, mut bound) = (None, false);
             let value = match (key, column, maximum) {
-                (Some(key), ..) => key.cells[at].parse().ok(),
+                (Some(key), ..) => key.cells[at].parse().ok().or_else(|| flag(&key.cells[at])),
                 _ if !row.is_ok() => None,
                 (_, Some(column), _) => {
                     (bar, bound) = (row.error(column).map(f64::abs), row.is_bound(column));
-                    row.number(column)
+                    row.number(column).or_else(|| flag(row.text(column)))
                 }
                 (.., maximum) => maximum.and_then(|maximum| row.time(maximum)),
             };
@@ -61,7 +68,9 @@ impl Subject {
                 None => Reading::Failed,
             }
         };
-        let words = column.is_some_and(|column| !column.is_number())
+        let is_flag = column.is_some_and(Column::is_flag)
+            || key.is_some_and(|key| key.cells.different().any(|cell| flag(cell).is_some()));
+        let words = column.is_some_and(|column| !column.is_number() && !is_flag)
             || key.is_some_and(|key| key.cells.iter().any(is_word));
         if words {
             return Err(format!("{name}: holds words; a condition needs a column of numbers"));
@@ -70,7 +79,7 @@ impl Subject {
             return Err(unknown(name, data));
         }
         let readings = data.rows.iter().enumerate().map(reading).collect();
-        Ok(Subject { name: name.to_owned(), readings })
+        Ok(Subject { name: name.to_owned(), readings, is_flag })
     }
 
     /// A case's value, unless it is a bound.
@@ -91,7 +100,7 @@ impl Subject {
 }
 
 fn is_word(cell: &str) -> bool {
-    !cell.is_empty() && cell.parse::<f64>().is_err()
+    !cell.is_empty() && cell.parse::<f64>().is_err() && flag(cell).is_none()
 }
 
 /// The maximum whose time is in the column of this name.

@@ -55,6 +55,17 @@ fn no_water_goes_over_where_sums_leave_a_little() {
     assert_eq!(ids(&waves, "overtopping_volume_m2 = 0"), [0, 1]);
 }
 
+/// The story: `displacement_truncated = 1` was told to hold words, though it is a flag.
+#[test]
+fn flags_are_true_or_false_or_1_or_0() {
+    let row = |x: f64| Row::default().with(&DISPLACEMENT_TRUNCATED, x > 1.5).with(&FORCE_MAX, x);
+    let data = study(MASS, "[]", &[1.0, 2.0, 3.0], row);
+    assert_eq!(ids(&data, "displacement_truncated = true"), [1, 2]);
+    assert_eq!(ids(&data, "displacement_truncated = 1 and F* max < 2.5"), [1]);
+    assert_eq!(ids(&data, "displacement_truncated = false"), [0]);
+    assert!(find("force_max = true", &data).unwrap_err().contains("one finite number"));
+}
+
 #[test]
 fn bad_conditions_are_told() {
     let data = study(MASS, "[]", &[1.0, 2.0], with(&FORCE_MAX, |x| x));
