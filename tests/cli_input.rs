@@ -69,6 +69,24 @@ fn bad_input_is_told_in_plain_words_and_nothing_is_written() {
             &["check", "scene.toml", "--set", "name=Gr\u{f6}\u{df}e"],
             "name = \"Gr\u{f6}\u{df}e\": must be a word of the letters a to z and A to Z",
         ),
+        // The file was blamed for what it does not say.
+        (
+            &["check", "scene.toml", "--set", "numerics.slip=half"],
+            "scene.toml: numerics.slip = \"half\": must be one of free, no (given by --set)",
+        ),
+        (
+            &[
+                "check",
+                "scene.toml",
+                "--set",
+                "numerics.slip=no",
+                "--set",
+                "grid.shepard_lambda=[2, 3]",
+                "--set",
+                "numerics.boundary=sfdi",
+            ],
+            "scene.toml: grid.shepard_lambda: boundary = \"sfdi\" does not read it, nor does any other case (given",
+        ),
         (
             &["check", "scene.toml", "--set", "numerics.particle_spacing_m=1e-5"],
             "scene.toml: numerics.particle_spacing_m = 0.00001: would cut 0.5 m² of water into \

@@ -65,16 +65,26 @@ fn told_as_bad_input(error: anyhow::Error, is_bad: fn(ErrorKind) -> bool) -> any
 
 /// A fault in a file's value that the user can put right.
 #[derive(Debug, thiserror::Error)]
-#[error("{}: {error}", named(path))]
+#[error("{}: {error}{}", named(path), if *set { " (given by --set)" } else { "" })]
 pub(super) struct BadFile {
     path: PathBuf,
+    /// Whether `--set` gave the value, and not the file.
+    set: bool,
     error: ConfigError,
 }
 
 impl BadFile {
     /// Wraps an error with the file that it is in.
     pub(super) fn of(path: &Path) -> impl Fn(ConfigError) -> BadFile + '_ {
-        move |error| BadFile { path: path.to_owned(), error }
+        move |error| BadFile { path: path.to_owned(), set: false, error }
+    }
+
+    /// The same where `is_set` tells of a key that `--set` gave it.
+    pub(super) fn unless_set(
+        path: &Path,
+        is_set: impl Fn(&str) -> bool,
+    ) -> impl Fn(ConfigError) -> BadFile {
+        move |error| BadFile { path: path.to_owned(), set: is_set(&error.key), error }
     }
 }
 
@@ -128,11 +138,14 @@ fn is_bad_input(error: &anyhow::Error) -> bool {
 fn object(error: &anyhow::Error, message: &str, code: u8) -> Value {
     let kind = if code == BAD_INPUT { "bad-input" } else { "internal" };
     let mut told = json!({ "kind": kind, "message": message, "exit_code": code });
-    if let Some(BadFile { path, error }) = error.downcast_ref() {
+    if let Some(BadFile { path, set, error }) = error.downcast_ref() {
         // The line is in the file itself, or in the file that a value names.
         let (line, key) = line_and_rest(&error.key);
         let (line_there, allowed) = line_and_rest(&error.allowed);
         told["file"] = json!(json_path(path));
+        if *set {
+            told["given_by"] = json!("--set");
+        }
         told["key"] = json!(key);
         told["value"] = json!(error.value);
         told["allowed"] = json!(allowed);

@@ -11,6 +11,7 @@ use crate::disk::names::{JOURNAL, MANIFEST};
 use crate::keys::{bytes_of, named};
 use crate::math::simd::SimdPath;
 use crate::math::words::in_words;
+use crate::scene::ConfigError;
 use crate::study::{Override, Study, SweepFile};
 
 /// The user's choice of instruction set.
@@ -145,7 +146,17 @@ pub(super) fn demand_output_of_study(directory: &Path, holds: &str) -> Result<()
 pub(super) fn sweep_file(path: &Path, settings: &[Setting]) -> anyhow::Result<SweepFile> {
     let text = read(path, STUDY)?;
     let overrides: Vec<_> = settings.iter().map(|setting| setting.set.clone()).collect();
-    Ok(SweepFile::read(&text, &overrides).map_err(BadFile::of(path))?)
+    Ok(SweepFile::read(&text, &overrides).map_err(blame(path, settings))?)
+}
+
+/// An error names the file, and `--set` where that gave the value.
+fn blame<'a>(path: &'a Path, settings: &'a [Setting]) -> impl Fn(ConfigError) -> BadFile + 'a {
+    BadFile::unless_set(path, |key| {
+        settings.iter().any(|setting| {
+            let rest = key.strip_prefix(&setting.set.path());
+            rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+        })
+    })
 }
 
 pub(super) fn study(path: &Path, settings: &[Setting], expect: Expect) -> anyhow::Result<Study> {
@@ -153,7 +164,14 @@ pub(super) fn study(path: &Path, settings: &[Setting], expect: Expect) -> anyhow
     if expect == Expect::Grid {
         file.require_grid().map_err(BadFile::of(path))?;
     }
-    Ok(Study::new(&file).map_err(BadFile::of(path))?)
+    whole(path, &file, settings)
+}
+
+/// The study of a file that a user has written.
+fn whole(path: &Path, file: &SweepFile, settings: &[Setting]) -> anyhow::Result<Study> {
+    let study = Study::new(file).map_err(blame(path, settings))?;
+    study.refuse_unread_axis().map_err(blame(path, settings))?;
+    Ok(study)
 }
 
 /// The study of a single scene: of a file without a grid, or of the case of a sweep file that the
@@ -165,9 +183,9 @@ pub(super) fn scene<'a>(
 ) -> anyhow::Result<(Study, &'a [Setting])> {
     let file = sweep_file(path, settings)?;
     if words.is_empty() && file.grid.is_empty() {
-        return Ok((Study::new(&file).map_err(BadFile::of(path))?, settings));
+        return Ok((Study::new(&file).map_err(blame(path, settings))?, settings));
     }
-    let whole = Study::new(&file).map_err(BadFile::of(path))?;
+    let whole = whole(path, &file, settings)?;
     if words.is_empty() && whole.cases.len() > 1 {
         file.refuse_grid().map_err(BadFile::of(path))?;
     }
