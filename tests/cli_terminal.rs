@@ -203,6 +203,7 @@ fn a_case_of_a_study_is_shown_and_runs_alone_as_the_same_case() {
     let object = ended(0, &["show", &desk.dir, &id[..10], "--format", "json"]).json();
     assert_eq!(object["case"]["case_id"], id.as_str());
     assert!(object["case"]["force_error"].as_f64().unwrap() > 0.0, "{object}");
+    assert_eq!(object["wall"], "movable", "a program was not told what kind of wall it is");
     let open = ended(2, &["show", &desk.dir, "wave_height_ratio=0.5"]);
     assert!(open.err.contains("4 cases fit; say which one by spring_stiffness_n_per_m"));
     let scene = ended(0, &[&["show", &desk.dir, "--toml"][..], &words].concat()).out;

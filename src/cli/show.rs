@@ -20,7 +20,7 @@ use crate::math::words::counted;
 use crate::quantities::summary::{CASE_ID, STATUS, WAVE_HEIGHT_RATIO};
 use crate::quantities::{Column, named};
 use crate::report::load::{Loaded, stream};
-use crate::report::{self, ReportError, as_typed, scene_values, spoken};
+use crate::report::{self, ReportError, as_typed, scene_values, spoken, wall_of};
 use crate::results::{Manifest, finished};
 
 /// Show one case of a finished study: its parameters, results, error bars, health and files.
@@ -59,12 +59,14 @@ pub(super) fn main(args: &ShowArgs, output: &Output) -> anyhow::Result<u8> {
     let place = place.map_err(|error| if left { unfinished(args, error) } else { error })?;
     let row = &rows[place];
     let files = files(&args.dir, row.cell(CASE_ID.name));
-    if output.is_json() {
-        output.result("", &row.json(&files))?;
-        return Ok(SUCCESS);
-    }
     // What the study's file says of its paddle, and of its scene.
     let data = Loaded::read(&args.dir).unwrap_or_default();
+    if output.is_json() {
+        let mut value = row.json(&files);
+        value["wall"] = json!(wall_of(&data, place));
+        output.result("", &value)?;
+        return Ok(SUCCESS);
+    }
     let known = (data.rows.get(place).cloned().unwrap_or_default(), scene_values(&data, place));
     output.result(&text(row, &known, &keys, &files), &Value::Null)?;
     Ok(SUCCESS)

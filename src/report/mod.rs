@@ -48,7 +48,7 @@ pub use omitted::Omitted;
 pub use plots::Figure;
 pub use reproduce::Reproduced;
 pub use row::Row;
-pub use scene_values::scene_values;
+pub use scene_values::{scene_values, wall_of};
 pub use spoken::spoken;
 
 use crate::disk;

@@ -30,6 +30,12 @@ pub fn scene_values(data: &Loaded, row: usize) -> Vec<(String, String)> {
     scene_keys(kind.unwrap_or(Kind::DEFAULT)).into_iter().filter_map(told).collect()
 }
 
+/// What the key `wall` says of a row. None where its scene has no such key, or the study's files do not tell it.
+pub fn wall_of(data: &Loaded, row: usize) -> Option<String> {
+    let config = each_config(data, std::iter::once(row)).next().flatten()?;
+    config.scene.get("wall")?.as_str().map(str::to_owned)
+}
+
 /// A value with its unit. A bed is told by its points, if they are few.
 fn in_words(key: &Key, value: &Value) -> String {
     if let Some(value) = number(value) {
