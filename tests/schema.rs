@@ -52,9 +52,13 @@ fn misfit(root: &Value, schema: &Value, value: &Value, path: &str) -> Option<Str
             "anyOf" if !list().iter().any(fits) => wrong(&format!("none of {rule}")),
             "allOf" => list().iter().find_map(|part| misfit(root, part, value, path)),
             "if" if fits(rule) => misfit(root, &parts["then"], value, path),
+            "pattern" if value.as_str().is_some_and(|text| !is_word(text, rule)) => {
+                wrong("no such word")
+            }
+            "not" if fits(rule) => wrong(&format!("is {rule}")),
             "$schema" | "$defs" | "title" | "description" | "default" | "then" | "pattern" => None,
-            "type" | "enum" | "const" | "minimum" | "maximum" | "exclusiveMinimum" | "minItems"
-            | "maxItems" | "minProperties" | "anyOf" | "if" => None,
+            "not" | "type" | "enum" | "const" | "minimum" | "maximum" | "exclusiveMinimum"
+            | "minItems" | "maxItems" | "minProperties" | "anyOf" | "if" => None,
             other => panic!("this test does not know {other:?}"),
         };
         if found.is_some() {
@@ -62,6 +66,15 @@ fn misfit(root: &Value, schema: &Value, value: &Value, path: &str) -> Option<Str
         }
     }
     None
+}
+
+/// Whether a text fits one of the two patterns: words, of which that of a file does not begin with a point.
+fn is_word(text: &str, pattern: &Value) -> bool {
+    let pattern = pattern.as_str().unwrap();
+    assert!(["^[A-Za-z0-9_-][A-Za-z0-9._-]*$", "^[A-Za-z0-9._-]+$"].contains(&pattern));
+    let fits = |c: char| c.is_ascii_alphanumeric() || "._-".contains(c);
+    let begins = pattern.contains('+') || !text.starts_with('.');
+    !text.is_empty() && begins && text.chars().all(fits)
 }
 
 fn length(value: &Value) -> usize {
@@ -149,11 +162,20 @@ fn what_no_key_may_hold_does_not_fit() {
         "name = \"a\"\n[grid]\nbed = { from = 1, to = 2, points = 2 }",
         "name = \"a\"\n[grid]\nwave_height_ratio = { from = 0.1, to = 2, points = 2 }",
         "name = \"a\"\n[scene]\nbed = [[0, 0], [1, 0, 2], [2.5, 0]]",
+        "name = \"a b\"",
+        // A probe was held to its keys alone.
+        "name = \"a\"\n[[probe]]\nname = \"P 1\"\nkind = \"level\"\nx_m = 1",
+        "name = \"a\"\n[[probe]]\nname = \"force\"\nkind = \"level\"\nx_m = 1",
+        "name = \"a\"\n[[probe]]\nname = \"P\"\nkind = \"level\"\nx_m = -1",
+        "name = \"a\"\n[[probe]]\nname = \"P\"\nkind = \"level\"\nx_m = 1\ny_m = 0.1",
+        "name = \"a\"\n[[probe]]\nname = \"P\"\nkind = \"pressure\"\nx_m = 1",
+        "name = \"a\"\n[[probe]]\nname = \"P\"\nkind = \"pressure\"\nx_m = 1\ny_m = 0.1\ndiameter_m = -1",
     ];
     for text in bad {
         assert!(misfit(&schema, &schema, &parsed(text), "").is_some(), "{text}");
     }
     let good = "name = \"a\"\n[scene]\nkind = \"dam-break\"\ncolumn_height_m = 1\n[numerics]\n\
-                retries = 2\n[grid]\nslip = [\"no\"]\nend_time_s = { from = 1, to = 2, points = 3 }";
+                retries = 2\n[grid]\nslip = [\"no\"]\nend_time_s = { from = 1, to = 2, points = 3 }\n\
+                [[probe]]\nname = \"P.1\"\nkind = \"pressure\"\nwall = \"right\"\ny_m = 0.1\ndiameter_m = 0";
     assert_eq!(misfit(&schema, &schema, &parsed(good), ""), None);
 }

@@ -7,10 +7,12 @@ use super::file::Accuracy;
 use super::limits::limits_keys;
 use super::refine::refine_keys;
 use crate::keys::{self, Key, Section};
-use crate::scene::{Kind, SUITED, numerics_keys, probe_keys, scene_keys};
+use crate::scene::{
+    CREST_COLUMNS, HISTORY_COLUMNS, Kind, SUITED, numerics_keys, probe_keys, scene_keys,
+};
 
 /// The schema. Every file that `seawall check` accepts fits it. It does not cover conditions on two
-/// values at once, nor keys that a grid may leave out of its sections.
+/// values at once, except of a probe, nor keys that a grid may leave out of its sections.
 pub fn schema() -> Value {
     let word = "^[A-Za-z0-9_-][A-Za-z0-9._-]*$";
     let mut definitions: Map<_, _> =
@@ -24,7 +26,7 @@ pub fn schema() -> Value {
             "name": { "type": "string", "pattern": word },
             "scene": scene(),
             "numerics": { "$ref": "#/$defs/numerics" },
-            "probe": { "type": "array", "items": keys::schema(&probe_keys()) },
+            "probe": { "type": "array", "items": probe() },
             "accuracy": keys::schema(&Accuracy::keys()),
             "limits": keys::schema(&limits_keys()),
             "grid": grid(),
@@ -33,6 +35,31 @@ pub fn schema() -> Value {
         "additionalProperties": false,
         "$defs": definitions,
     })
+}
+
+/// A probe, with what depends on its kind. How far the tank goes is not known here.
+fn probe() -> Value {
+    let keys = probe_keys();
+    let mut schema = keys::schema(&keys);
+    let taken = ["time_s"].iter().chain(&CREST_COLUMNS).chain(&HISTORY_COLUMNS);
+    schema["properties"]["name"]["pattern"] = json!("^[A-Za-z0-9._-]+$");
+    schema["properties"]["name"]["not"] = json!({ "enum": taken.collect::<Vec<_>>() });
+    for not_negative in ["x_m", "diameter_m"] {
+        schema["properties"][not_negative]["minimum"] = json!(0);
+    }
+    let belongs = |key: &&Key| {
+        let when = key.rule.only?;
+        Some(json!({
+            "if": { "required": [key.name] },
+            "then": { "properties": { when.key: { "enum": when.values } } },
+        }))
+    };
+    let height = json!({
+        "if": { "properties": { "kind": { "const": "pressure" } }, "required": ["kind"] },
+        "then": { "required": ["y_m"] },
+    });
+    schema["allOf"] = keys.iter().filter_map(belongs).chain([height]).collect();
+    schema
 }
 
 fn scene_name(kind: Kind) -> String {
