@@ -170,7 +170,7 @@ fn same_answers_keeps_nothing_when_it_is_stopped() {
     }
     // As a terminal does: to all of them.
     let everybody = format!("-{}", script.id());
-    assert!(Command::new("kill").args(["-INT", "--", &everybody]).status().unwrap().success());
+    assert!(Command::new("kill").args(["-TERM", "--", &everybody]).status().unwrap().success());
     let told = script.wait_with_output().unwrap();
     assert_eq!((told.status.code(), kept.exists()), (Some(3), false), "{told:?}");
 }
