@@ -79,6 +79,19 @@ fn every_corner_of_every_sweep_is_valid() {
     }
 }
 
+/// The story: a shipped sweep could set what none of its cases reads, and users would copy it.
+#[test]
+fn every_key_of_a_shipped_file_is_read() {
+    let folders = ["scenes", "usace_1995", "boundary_comparison", "liang2017", "huang2019", ""];
+    for path in folders.iter().flat_map(|folder| files(&format!("sweeps/{folder}"))) {
+        let text = fs::read_to_string(&path).unwrap();
+        if !read(&path).contains_key("case") {
+            let study = Study::new(&SweepFile::read(&text, &[]).unwrap()).unwrap();
+            assert_eq!(study.unread, [], "{}", path.display());
+        }
+    }
+}
+
 #[test]
 fn names_are_the_files_own_and_differ() {
     let folders = ["sweeps", "sweeps/scenes", "sweeps/boundary_comparison", "sweeps/huang2019"];
