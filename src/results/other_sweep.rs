@@ -26,7 +26,7 @@ pub(super) fn difference(directory: &Path, study: &Study) -> Option<String> {
     // A setting that was not given again.
     let set = told.as_ref().and_then(|told| {
         let is_told = |set: &&Override| told.starts_with(&format!("{} ", set.path()));
-        let set = sets.iter().filter(is_told).next_back()?;
+        let set = sets.iter().rfind(is_told)?;
         let again = study.sets.iter().any(|here| here.path() == set.path());
         let value = shortened(&set.value().to_string());
         (!again).then(|| format!("it was made with --set {}={value}", set.path()))
