@@ -8,7 +8,8 @@ use crate::common::{Desk, TINY, expect_code, seawall};
 use serde_json::Value;
 
 /// A case that takes longer than this test.
-const LONG: &str = "name = \"long\"\n[numerics]\nparticle_spacing_m = 0.005\n";
+const LONG: &str =
+    "name = \"long\"\n[scene]\nend_time_s = 200\n[numerics]\nparticle_spacing_m = 0.02\n";
 
 /// Starts a command, stops it a moment after a file is there, and returns its object.
 fn stopped(arguments: &[&str], once: &Path) -> Value {
@@ -44,7 +45,8 @@ fn an_interrupted_command_tells_programs_what_is_known() {
     assert_eq!((&told["interrupted"], &told["cases"]), (&true.into(), &1.into()), "{told}");
     assert_eq!((&told["out"], &told["done"]), (&single.dir.as_str().into(), &0.into()), "{told}");
 
-    let one = TINY.replace("particle_spacing_m = 0.025", "particle_spacing_m = 0.01");
+    let one = TINY.replace("particle_spacing_m = 0.025", "particle_spacing_m = 0.0125");
+    let one = one.replace("end_after_stroke_centre_s = 0.8", "end_after_stroke_centre_s = 3");
     let one = Desk::new(&one);
     one.run(&["H/h=0.5", "k=10", "m=50"]);
     let lock = one.out.join("derived.lock");
