@@ -54,7 +54,8 @@ before=$(progress)
 # Since Slurm 22.05 srun does not ask for the job's cores per task by itself: threads might share a single one.
 {LAUNCH} "$seawall" sweep "$study" --out "$out"{MORE} &
 job=$!
-[ "$stopped" = no ] || stop # the signal came before there was a job to pass it on to
+# The signal came before there was a job to pass it on to. One that is only just being started would lose it.
+[ "$stopped" = no ] || { sleep 1; stop; }
 while :; do
   code=0
   wait "$job" || code=$?
