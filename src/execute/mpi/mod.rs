@@ -20,8 +20,10 @@ mod post;
 mod pulse;
 mod station;
 
+use std::io::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
+use std::time::Duration;
 
 use mpi::Threading;
 use mpi::traits::Communicator;
@@ -69,11 +71,22 @@ pub fn with_crew(
     match ended {
         Ok(Ok(code)) => Ok(code),
         Ok(Err(error)) => {
-            eprintln!("error: rank {rank}: {}", shown(&error.to_string()));
+            tell_before_the_end(&format!("error: rank {rank}: {}\n", shown(&error.to_string())));
             world.abort(70)
         }
         Err(_) => world.abort(70),
     }
+}
+
+/// How long a launcher may take to pass a line on. That of MPICH drops what it has not passed on when
+/// a rank ends the job.
+const PASSED_ON_IN: Duration = Duration::from_millis(200);
+
+/// Writes a line at once and whole, and gives the launcher time to pass it on.
+fn tell_before_the_end(line: &str) {
+    // Nothing can be told where this fails.
+    let _ = std::io::stderr().write_all(line.as_bytes());
+    std::thread::sleep(PASSED_ON_IN);
 }
 
 /// The name of an MPI library, from all that it tells of itself.
