@@ -4,7 +4,9 @@ use std::fs;
 use std::path::Path;
 
 use seawall::keys::{Key, Section, Shape};
-use seawall::scene::{Kind, Numerics, Preset, SUITED, numerics_keys, probe_keys, scene_keys};
+use seawall::scene::{
+    Kind, Numerics, Preset, SUITED, numerics_keys, other_defaults, probe_keys, scene_keys,
+};
 use seawall::study::{limits_keys, refine_keys};
 use toml::{Table, Value};
 
@@ -34,8 +36,7 @@ fn table(keys: &[&Key], sets: &[(&str, Table)]) -> String {
         if sets.is_empty() {
             values = format!(" {} |", code(&key.default_in_words()));
         }
-        let suited =
-            !sets.is_empty() && SUITED.iter().any(|suited| suited.of_key(key.name).is_some());
+        let suited = !sets.is_empty() && other_defaults(key.name).next().is_some();
         let others = if suited {
             " [Other defaults](water.md#defaults-by-scene) in some scenes."
         } else {

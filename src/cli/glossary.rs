@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::keys::Key;
 use crate::quantities::{Quantity, energy, envelope, history, named, summary, wave};
-use crate::scene::{Kind, SUITED, numerics_keys, probe_keys, scene_keys};
+use crate::scene::{Kind, numerics_keys, other_defaults, probe_keys, scene_keys};
 use crate::study::{accuracy_keys, limits_keys, refine_keys};
 
 /// The place of the keys of numerics.
@@ -105,6 +105,7 @@ pub(super) fn joined(all: Vec<Entry>) -> Vec<Entry> {
 }
 
 fn of_key(key: &Key, of: &str) -> Entry {
+    let others = other_defaults(key.name).filter(|_| of == NUMERICS);
     Entry {
         name: key.name.to_owned(),
         of: of.to_owned(),
@@ -113,20 +114,11 @@ fn of_key(key: &Key, of: &str) -> Entry {
         unit: key.rule.unit.to_owned(),
         allowed: key.allowed_in_words(),
         default: key.default_in_words(),
-        suited: if of == NUMERICS { suited(key.name) } else { Vec::new() },
+        suited: others.map(|told| without_links(&told)).collect(),
         only: key.allowed_where(),
         read_only: key.read_where(),
         ..Entry::default()
     }
-}
-
-/// Other defaults of a key of the numerics, in some scenes.
-fn suited(name: &str) -> Vec<String> {
-    SUITED
-        .iter()
-        .filter_map(|suited| suited.of_key(name))
-        .map(|told| without_links(&told))
-        .collect()
 }
 
 fn of_summary(column: &crate::quantities::Column) -> Entry {

@@ -62,7 +62,7 @@ pub use odd_values::odd_by_key;
 pub use preset::Preset;
 pub use probe::{CREST_COLUMNS, HISTORY_COLUMNS, OVER_STILL_WATER, Probe, ProbeKind, Side};
 pub use seawall::{PaddleChoice, SeawallScene};
-pub use suited::{SUITED, Suited};
+pub use suited::{SUITED, Suited, other_defaults};
 pub use tank::Tank;
 pub use wall_choice::{WallChoice, WallLook};
 

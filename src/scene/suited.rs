@@ -32,12 +32,12 @@ pub(super) struct Asked<'a> {
     pub timed: bool,
 }
 
-impl Suited {
-    /// What it has of a key, in words, if it has something.
-    pub fn of_key(&self, name: &str) -> Option<String> {
-        let (_, value) = self.keys.iter().find(|(key, _)| *key == name)?;
-        Some(format!("{value} in {}", self.scenes))
-    }
+/// What some scenes have of a key by default, in words, where that is something else.
+pub fn other_defaults(name: &str) -> impl Iterator<Item = String> {
+    SUITED.iter().filter_map(move |suited| {
+        let (_, value) = suited.keys.iter().find(|(key, _)| *key == name)?;
+        Some(format!("{value} in {}", suited.scenes))
+    })
 }
 
 impl Asked<'_> {
@@ -86,19 +86,17 @@ mod tests {
         let scene = super::super::kind::Kind::DEFAULT.read(&table).unwrap();
         let asked = Asked { scene: &scene, particle_spacing: 0.02, timed: true };
         for suited in SUITED {
-            for &preset in suited.presets.iter().take(1) {
-                let before = Numerics::preset(preset);
-                let mut after = before.clone();
-                (suited.set)(&mut after, &asked);
-                let mut changed = Vec::new();
-                before.differing(&after, &mut changed);
-                let mut told: Vec<_> = suited.keys.iter().map(|(key, _)| *key).collect();
-                changed.sort();
-                told.sort();
-                assert_eq!(changed, told, "{}", suited.scenes);
-                for (key, value) in suited.keys.iter().filter(|(_, value)| !value.contains('√')) {
-                    assert_eq!(after.entry(key).unwrap().to_string(), *value, "{key}");
-                }
+            let before = Numerics::preset(suited.presets[0]);
+            let mut after = before.clone();
+            (suited.set)(&mut after, &asked);
+            let mut changed = Vec::new();
+            before.differing(&after, &mut changed);
+            let mut told: Vec<_> = suited.keys.iter().map(|(key, _)| *key).collect();
+            changed.sort();
+            told.sort();
+            assert_eq!(changed, told, "{}", suited.scenes);
+            for (key, value) in suited.keys.iter().filter(|(_, value)| !value.contains('√')) {
+                assert_eq!(after.entry(key).unwrap().to_string(), *value, "{key}");
             }
         }
     }

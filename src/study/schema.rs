@@ -8,7 +8,7 @@ use super::limits::limits_keys;
 use super::refine::refine_keys;
 use crate::keys::{self, Key, Section};
 use crate::scene::{
-    CREST_COLUMNS, HISTORY_COLUMNS, Kind, SUITED, numerics_keys, probe_keys, scene_keys,
+    CREST_COLUMNS, HISTORY_COLUMNS, Kind, numerics_keys, other_defaults, probe_keys, scene_keys,
 };
 
 /// The schema. Every file that `seawall check` accepts fits it. It does not cover conditions on two
@@ -71,7 +71,7 @@ fn numerics() -> Value {
     let mut schema = keys::schema(&numerics_keys());
     for key in numerics_keys() {
         let described = &mut schema["properties"][key.name]["description"];
-        let others = SUITED.iter().filter_map(|suited| suited.of_key(key.name));
+        let others = other_defaults(key.name);
         let told: String = others.map(|told| format!(" By default {told}.")).collect();
         *described = json!(described.as_str().unwrap_or_default().to_owned() + &told);
     }
