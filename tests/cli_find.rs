@@ -78,7 +78,7 @@ fn a_wall_that_hits_its_stop_is_marked_in_the_tables() {
     let swept = desk.sweep(&["--film", "none"]);
     let stopped = column(&desk.out, "stops").iter().filter(|stops| *stops != "0").count();
     assert!(stopped > 0);
-    let line = "* the wall hits its stop afterwards; that load counts for no maximum\n";
+    let line = "* the wall hit its stop afterwards; no maximum counts the load of that hit\n";
     let text = swept.out;
     assert_eq!((text.matches(" *  ").count(), text.matches(line).count()), (stopped, 1), "{text}");
     assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");

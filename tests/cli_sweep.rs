@@ -148,7 +148,7 @@ fn a_single_scene_runs_by_itself() {
     let text = TINY.split("[grid]").next().unwrap();
     std::fs::write(&desk.file, text.replace("movable", "fixed")).unwrap();
     let told = ended(0, &["run", &desk.file, "--out", &desk.dir]).out;
-    assert!(told.contains("paddle work") && told.contains("residual"), "{told}");
+    assert!(told.contains("paddle work") && told.contains("energy gap"), "{told}");
     assert_eq!(std::fs::read_dir(desk.out.join("histories")).unwrap().count(), 1);
 }
 

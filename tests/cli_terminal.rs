@@ -23,7 +23,7 @@ fn the_table_fits_a_terminal_and_shows_error_bars_and_cases_are_counted_alike() 
     assert!(rows.iter().all(|row| row.chars().count() <= 80), "{text}");
     assert!(rows[0].contains("F* max") && rows[0].contains("X* max"), "{text}");
     assert!(rows[1..].iter().all(|row| row.matches(" ± ").count() >= 2), "{text}");
-    assert!(text.contains("\nmax: of the whole run; first, "), "{text}");
+    assert!(text.contains("\nmax: over the whole run; first, "), "{text}");
     assert!(notes.contains("8 cases and 8 companions for error bars on "), "{notes}");
     assert!(!notes.contains("of 16 cases"), "{notes}");
     let status = ended(0, &["status", &desk.dir]).out;
@@ -40,7 +40,7 @@ fn the_table_has_the_columns_of_which_some_case_has_a_number() {
     let heading = table.lines().next().unwrap();
     assert!(heading.contains("R* max") && heading.contains("V over"), "{table}");
     assert!(!heading.contains("X*") && !heading.contains("first"), "{table}");
-    assert!(table.contains("\nmax: of the whole run\n"), "{table}");
+    assert!(table.contains("\nmax: over the whole run\n"), "{table}");
 }
 
 #[test]
@@ -158,6 +158,7 @@ fn keys_and_columns_are_explained() {
     let symbol = explain("F*");
     assert!(symbol.contains("force_max: column") && symbol.contains("first_force_max: column"));
     assert!(explain("k").starts_with("spring_stiffness_n_per_m: key of [scene]"));
+    assert!(explain("Viscosity").starts_with("artificial_viscosity: key of [numerics]"));
     assert!(explain("refine").contains("key of [grid] refine"));
     let nearly = ended(2, &["explain", "F_max"]).err;
     assert!(nearly.contains("did you mean force_max?"), "{nearly}");

@@ -22,8 +22,8 @@ use crate::math::words::counted;
 use crate::quantities::Unit;
 use crate::report::compare::{COMPARED, Comparison, Difference, Pair, compare, figure, table};
 
-/// Put two studies side by side, or a case and what was measured. Of two studies, cases are compared that agree in the scene's
-/// keys that either sweeps, and in the keys of [numerics] that both sweep.
+/// Compare two studies, or one case with measurements. Two cases form a pair if they have the same values of every [scene] key
+/// that one of the studies sweeps, and of every [numerics] key that both sweep.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   seawall compare results/runs/coarse results/runs/fine

@@ -22,7 +22,7 @@ use crate::quantities::{is_meant, meant_by};
   seawall explain
   seawall explain numerics.courant_number --format json")]
 pub(super) struct ExplainArgs {
-    /// The key or the column, or its symbol, or a word of the README. A key may have its section before it, as in
+    /// The key or the column, its symbol, what `check` calls it, or a word of the README. A key may have its section before it, as in
     /// numerics.kernel.
     #[arg(value_name = "KEY|COLUMN|WORD")]
     name: Option<String>,
@@ -39,6 +39,9 @@ pub(super) fn main(args: &ExplainArgs, output: &Output) -> anyhow::Result<u8> {
     let mut found = picked(&|entry| entry.is_called(name));
     if found.is_empty() {
         found = picked(&|entry| is_meant(name, &entry.symbol));
+    }
+    if found.is_empty() {
+        found = picked(&|entry| entry.label.eq_ignore_ascii_case(name));
     }
     if found.is_empty() {
         found = thing(name, &all).into_iter().collect();

@@ -21,6 +21,9 @@ pub(super) struct Entry {
     pub name: String,
     /// The section or table that it is in.
     pub of: String,
+    /// What `check` and the page call a key.
+    #[serde(skip)]
+    pub label: String,
     /// What tables print in place of the name.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub symbol: String,
@@ -109,6 +112,7 @@ fn of_key(key: &Key, of: &str) -> Entry {
     Entry {
         name: key.name.to_owned(),
         of: of.to_owned(),
+        label: key.label(),
         symbol: named(key.name).map_or("", |column| column.symbol).to_owned(),
         meaning: key.meaning_in_words(),
         unit: key.rule.unit.to_owned(),

@@ -46,11 +46,11 @@ const GIVEN_UP: [&Column; 6] = [
 
 /// The meaning of `*` beside a load.
 pub(super) const STOPPED: &str =
-    "* the wall hits its stop afterwards; that load counts for no maximum";
+    "* the wall hit its stop afterwards; no maximum counts the load of that hit";
 
 /// What the maxima are maxima of: in all scenes, and for waves at walls.
-const MAXIMA: &str = "max: of the whole run";
-const FIRST: &str = "; first, here or in summary.csv: of the first impact";
+const MAXIMA: &str = "max: over the whole run";
+const FIRST: &str = "; first, here or in summary.csv: over the first impact";
 
 /// The words on the cases, and where the report is.
 pub(super) fn text(job: &Job, done: &Done, report: &Path, all: bool) -> String {

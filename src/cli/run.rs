@@ -25,7 +25,7 @@ use crate::scene::CaseConfig;
 use crate::simulation::Resources;
 use crate::study::Study;
 
-/// Run one scene. Tell its results, its energy budget, and where the time went.
+/// Run one scene. Print its results, its energy budget, and where the time went.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   seawall run sweeps/scenes/fixed_wall.toml

@@ -62,8 +62,8 @@ pub(super) struct SweepArgs {
     /// same and come later: for checking.
     #[arg(long)]
     no_branch: bool,
-    /// Choose the particle spacing case by case, so that force and displacement are within so many
-    /// percent. Error bars check it. A case that misses, is doubtful or fails runs again with finer particles. What cannot
+    /// Choose particle spacing and precision case by case, so that force and displacement are expected to be
+    /// within so many percent. Error bars check it. A case that misses, is doubtful or fails runs again with finer particles. What cannot
     /// be met is told at the end and in max_error.csv, and changes no exit code. In the file this is `[accuracy]
     /// max_error_percent`.
     #[arg(long, value_name = "PERCENT", allow_hyphen_values = true, value_parser = max_error::percent)]

@@ -93,7 +93,7 @@ quantities! { Read;
     FORCE_GAP = number("force_gap_percent", "", Percent, |c| {
         Some(c.outcome?.force_gap_percent)
     }).decimals(3);
-    /// residual of the energy budget, over the largest value of the paddle's work; in still water over the
+    /// gap of the energy budget, over the largest value of the paddle's work; in still water over the
     /// initial potential energy; with a paddle that absorbs over all work that passed either way, where that is more
     ENERGY_GAP = number("energy_gap_percent", "", Percent, |c| {
         Some(c.outcome?.energy_gap_percent)

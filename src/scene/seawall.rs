@@ -69,7 +69,7 @@ section! {
         /// The factor s on the force above the threshold.
         force_coupling: f64 = FORCE_COUPLING,
             plain().within(0.0, 10.0).read_where("wall", &["fixed", "movable"]);
-        /// Spring stiffness k, per metre of width.
+        /// Spring stiffness k of one metre of wall, by the metre that it gives way: N/m², written N/m as in Liang et al. 2017.
         spring_stiffness_n_per_m: Option<f64> = None,
             unit("N/m").not_negative().only("wall", &["movable"]).needed();
         /// Mass m of the wall, per metre of width.

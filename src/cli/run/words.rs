@@ -119,8 +119,8 @@ fn energy_table(budget: &EnergyBudget, gap_percent: f64, wall: Option<WallChoice
         let name = resistance.map_or_else(|| term.words(), |wall| wall.resistance().to_owned());
         line(&name, (term.read)(budget));
     }
-    line("residual", work - total);
-    text.push_str(&format!("reported gap {gap_percent:.2} %\n"));
+    line("energy gap", work - total);
+    text.push_str(&format!("energy gap over the most work at a time: {gap_percent:.2} %\n"));
     text
 }
 
@@ -177,6 +177,6 @@ mod tests {
             pushed.lines().any(|line| line.starts_with(name) && line.ends_with(end))
         };
         assert!(line("paddle work", " -100.00") && line("stops", " 0.00"), "{pushed}");
-        assert!(line("threshold device", " -75.00") && line("residual", " -25.00"), "{pushed}");
+        assert!(line("threshold device", " -75.00") && line("energy gap", " -25.00"), "{pushed}");
     }
 }
