@@ -24,6 +24,7 @@ mod measures;
 mod named_readings;
 mod outcome;
 mod overtopping;
+mod pace;
 mod peak;
 #[cfg(test)]
 mod planted_faults;

@@ -54,9 +54,8 @@ impl Run {
         let (mut gone, mut slowed) = (0.0, 0.0);
         while gone < time || !self.tank.water.can_be_kept() {
             self.hold_to_limits(monitor)?;
-            let water = &mut self.tank.water;
-            let dt = self.time_step.min(water.step_limit());
-            water.prepare(&bodies, dt).map_err(|error| self.step_failure(&error))?;
+            let dt = self.step(&bodies)?;
+            self.tank.water.prepare(&bodies, dt).map_err(|error| self.step_failure(&error))?;
             self.tank.water.finish(dt, &walls, false);
             self.clock.steps += 1;
             gone += dt;

@@ -107,7 +107,8 @@ impl Run {
             let sample = last || time >= due;
             let look = last || self.clock.looks.comes(time, 0.0, frame.intervals());
             let bodies = self.tank.motions(time);
-            let dt = self.time_step.min(self.tank.water.step_limit());
+            let dt = self.step(&bodies)?;
+            stopping = self.is_still_to_stop(stopping, monitor)?;
             self.tank.water.prepare(&bodies, dt).map_err(|error| self.step_failure(&error))?;
             let load = self.finite_load()?;
             if until_onset && self.is_onset(load.force, dt) {
@@ -151,10 +152,7 @@ impl Run {
                     return Ok(kept);
                 }
                 monitor.reached(time);
-                stopping = monitor.cancelled();
-                if stopping && monitor.keeper().is_none() {
-                    return Err(Stopped::Interrupted);
-                }
+                stopping = self.is_to_stop(monitor)?;
             }
             self.tank.wall = moved;
             self.finish_step(dt, bodies, force, step, look);
@@ -227,12 +225,6 @@ impl Run {
         };
         let losses = self.tank.water.finish(dt, &walls, look);
         self.logbook.ledger.book_losses(time, look, losses);
-    }
-
-    /// Ends a run that takes more than it may.
-    pub(super) fn hold_to_limits(&self, monitor: &dyn Monitor) -> Result<(), Failure> {
-        let over = monitor.over_limit(self.clock.steps);
-        over.map_or(Ok(()), |detail| Err(self.failure(FailureKind::OverLimit, detail)))
     }
 
     pub(super) fn failure(&self, kind: FailureKind, detail: String) -> Failure {
