@@ -42,7 +42,7 @@ quantities! { Read;
     /// largest runup R* of the whole run
     RUNUP_MAX = maximum("runup_max", "R* max", Runup, |c| Some(c.outcome?.runup_max))
         .bar("runup_max_error");
-    /// largest displacement X* of the whole run
+    /// largest displacement X* of the whole run; of a caisson to either side
     DISPLACEMENT_MAX = maximum("displacement_max", "X* max", Displacement, |c| {
         c.outcome?.displacement_max
     }).bar("displacement_error").bound("displacement_truncated");
@@ -52,7 +52,7 @@ quantities! { Read;
     /// largest runup R* of the first impact
     FIRST_RUNUP_MAX = maximum("first_runup_max", "first R*", Runup, |c| c.outcome?.first_runup_max)
         .bar("runup_error").of_a_single_wave();
-    /// largest displacement X* of the first impact
+    /// largest displacement X* of the first impact; of a caisson to either side
     FIRST_DISPLACEMENT_MAX = maximum("first_displacement_max", "first X*", Displacement, |c| {
         c.outcome?.first_displacement_max
     }).bound("displacement_truncated").of_a_single_wave();

@@ -141,7 +141,7 @@ impl SeawallScene {
     }
 
     /// F_th over the hydrostatic force, N per metre of width.
-    pub(super) fn onset_ratio(&self, static_force: f64) -> f64 {
+    pub fn onset_ratio(&self, static_force: f64) -> f64 {
         let friction = |keys: &CaissonKeys| 1.0 + keys.holding_friction() / static_force;
         match self.wall {
             WallChoice::Fixed | WallChoice::Movable => self.threshold_ratio,

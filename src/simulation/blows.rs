@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::outcome::Maximum;
 use crate::theory::wall_potential::CARRIED;
 
-/// A weaker impact, over ½ρgh² √(h/g), is a touch: its sound is too faint to matter.
+/// A weaker impact, over ½ρgd² √(h/g), is a touch: its sound is too faint to matter.
 const WEAKEST: f64 = 0.02;
 /// The wall must have been this far from its stop, over h, for a real impact.
 const LEAST_TRAVEL: f64 = 0.01;
@@ -20,8 +20,10 @@ const STEPS: f64 = 4.5;
 /// Scales of an impact.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Acoustics {
-    /// Depth h of the still water, metres.
+    /// Depth h of the still water at the paddle, metres.
     pub depth: f64,
+    /// Its depth d at the wall, metres.
+    pub depth_at_wall: f64,
     /// Gravity g, m/s².
     pub gravity: f64,
     /// c0, m/s; none where the water is incompressible.
@@ -70,10 +72,11 @@ impl Blows {
     /// Records an impact of a wall whose largest X* so far is `farthest`.
     ///
     /// The water goes on when the wall stops. Its impulse on the wall is -m_a V with m_a = 0.543 ρ
-    /// d².
+    /// (d + R)².
     pub fn hit(&mut self, hit: Hit, farthest: f64) {
-        let Acoustics { depth, gravity, sound_speed } = self.acoustics;
-        let relative_depth = (1.0 + hit.runup).max(0.0);
+        let Acoustics { depth, depth_at_wall, gravity, sound_speed } = self.acoustics;
+        // The water's depth at the wall now, over d.
+        let relative_depth = (1.0 + hit.runup * (depth / depth_at_wall)).max(0.0);
         let wave_speed = (gravity * depth).sqrt();
         let impulse = -2.0 * CARRIED * relative_depth * relative_depth * hit.speed / wave_speed;
         let time_s = hit.time_s + hit.dt;
@@ -81,7 +84,7 @@ impl Blows {
             self.strongest = Some(Maximum { value: impulse, time_s });
         }
         if farthest > LEAST_TRAVEL && impulse <= -WEAKEST {
-            let crossing = sound_speed.map_or(0.0, |speed| relative_depth * depth / speed);
+            let crossing = sound_speed.map_or(0.0, |speed| relative_depth * depth_at_wall / speed);
             let steps = hit.time_s + STEPS * hit.dt;
             let before = self.blows.last().map_or(0.0, |blow| blow.loud_until_s);
             self.blows.push(Blow {
@@ -118,7 +121,7 @@ impl Blows {
         self.kicked
     }
 
-    /// Strongest impulse of the water on the wall, over ½ρgh² √(h/g), and its time.
+    /// Strongest impulse of the water on the wall, over ½ρgd² √(h/g), and its time.
     pub fn strongest(&self) -> Option<Maximum> {
         self.strongest
     }
@@ -128,7 +131,8 @@ impl Blows {
 mod tests {
     use super::*;
 
-    const WATER: Acoustics = Acoustics { depth: 0.2, gravity: 9.81, sound_speed: Some(11.2) };
+    const WATER: Acoustics =
+        Acoustics { depth: 0.2, depth_at_wall: 0.2, gravity: 9.81, sound_speed: Some(11.2) };
 
     fn hit(speed: f64) -> Hit {
         Hit { time_s: 1.0, dt: 0.001, speed, runup: 0.25 }
@@ -144,6 +148,20 @@ mod tests {
             let expected = -added_mass * 0.3 / unit;
             assert!((blows.strongest().unwrap().value - expected).abs() < 1e-12);
         }
+    }
+
+    /// The story: over a bed of half the depth a wave of R* = 0.25 is half as deep again at the wall.
+    /// The impulse was that of a quarter more, 16 % too small and more.
+    #[test]
+    fn over_a_bed_the_added_mass_is_that_of_the_water_at_the_wall() {
+        let mut blows = Blows::new(Acoustics { depth_at_wall: 0.1, ..WATER });
+        blows.hit(hit(0.3), 0.5);
+        let added_mass = 0.543 * 1000.0 * 0.15_f64.powi(2);
+        let unit = 0.5 * 1000.0 * 9.81 * 0.01 * (0.2_f64 / 9.81).sqrt();
+        let expected = -added_mass * 0.3 / unit;
+        assert!((blows.strongest().unwrap().value - expected).abs() < 1e-12);
+        let crossing = 0.15 / 11.2;
+        assert!(blows.drown(1.001 + 5.99 * crossing) && !blows.drown(1.001 + 6.01 * crossing));
     }
 
     #[test]

@@ -70,7 +70,7 @@ impl Readings {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FirstImpact {
     /// F* above which the wall moves.
-    threshold: f64,
+    pub threshold: f64,
     /// F* below which the impact is over.
     let_go: f64,
     persistence: f64,
@@ -80,7 +80,8 @@ pub struct FirstImpact {
     readings: Readings,
     onset: Option<f64>,
     onrush: Onrush,
-    trials: u32,
+    /// How many impacts have begun provisionally.
+    pub trials: u32,
 }
 
 impl FirstImpact {
@@ -142,6 +143,14 @@ impl FirstImpact {
             if low && (self.stage != Stage::On || self.readings.runup_peak.closed) {
                 self.end();
             }
+        }
+    }
+
+    /// Takes an F* that is known for a moment, s, which its running mean misses.
+    pub fn bear(&mut self, force: f64, at: f64) {
+        if self.is_under_way() {
+            Maximum::raise(&mut self.readings.force, force, at);
+            self.readings.force_peak.push(force);
         }
     }
 
@@ -229,11 +238,6 @@ impl FirstImpact {
     /// The time in which F* - 1 rose from 10 to 90 % of its largest value, s.
     pub fn rise_time(&self) -> Option<f64> {
         self.onrush.rise_time(self.force()?)
-    }
-
-    /// How many impacts have begun provisionally.
-    pub fn trials(&self) -> u32 {
-        self.trials
     }
 
     /// When F > F_th first lasted long enough, seconds.

@@ -30,7 +30,7 @@ pub struct Measures {
     pub force: Option<Maximum>,
     /// R*.
     pub runup: Option<Maximum>,
-    /// X*.
+    /// X*; of a wall that nothing drives back |X*|.
     pub displacement: Option<Maximum>,
     /// Whether the wall left its stop in the sound of an impact before that X*.
     pub kicked: bool,
@@ -129,6 +129,8 @@ impl Measures {
     /// Takes the wall's displacements until this time, s; `sound` is the push of sound until then.
     fn follow(&mut self, until: f64, sound: Push, mount: Option<Mount>) {
         while let Some((at, displacement)) = self.travel.next(until, sound, mount) {
+            // What nothing drives back may go to either side.
+            let displacement = if mount.is_none() { displacement.abs() } else { displacement };
             let before = self.displacement;
             Maximum::raise(&mut self.displacement, displacement, at);
             if self.displacement != before {
@@ -157,13 +159,27 @@ impl Measures {
     }
 
     /// Takes what the wall did in the step of the last reading. The step begins at `time` and lasts
-    /// `dt`, s.
-    pub fn note(&mut self, time: f64, dt: f64, step: &WallStep) {
+    /// `dt`, s. `rested` says whether the wall stood before it.
+    pub fn note(&mut self, time: f64, dt: f64, step: &WallStep, rested: bool) {
         if step.stop_loss > 0.0 {
             self.hit(time, dt, step.stop_speed);
         }
         if step.jumps {
             self.quiet.jump(time);
+            if rested && step.travel > 0.0 {
+                self.break_loose(time);
+            }
+        }
+    }
+
+    /// Records that friction gave way to the water. The force was then what friction bears, and at
+    /// once it is less, as the wall evades it. No mean over time reaches that.
+    fn break_loose(&mut self, time: f64) {
+        let force = self.first.threshold;
+        Maximum::raise(&mut self.force, force, time);
+        self.first.bear(force, time);
+        if let Some(waves) = &mut self.waves {
+            waves.press(time, force);
         }
     }
 

@@ -126,7 +126,7 @@ impl Run {
             self.film(monitor, time, last);
             let start = Instant::now();
             let reading = self.read((force, step.acceleration));
-            self.logbook.measures.note(time, dt, &step);
+            self.logbook.measures.note(time, dt, &step, self.tank.wall.rests());
             if sample {
                 self.sample(&reading, &bodies);
             }

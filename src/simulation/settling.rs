@@ -100,7 +100,8 @@ mod tests {
     use super::super::first_impact::Reading;
     use super::*;
 
-    const WATER: Acoustics = Acoustics { depth: 0.2, gravity: 9.81, sound_speed: None };
+    const WATER: Acoustics =
+        Acoustics { depth: 0.2, depth_at_wall: 0.2, gravity: 9.81, sound_speed: None };
 
     /// A wave of F* = 2, R* = 0.5, X* = `x` that has come and gone.
     fn after_a_wave(x: f64) -> Measures {

@@ -74,8 +74,8 @@ impl Pressed {
 
     /// Takes a step's moment and pressures, Pa, at a time, s. The force must be taken first.
     pub fn push(&mut self, time: f64, moment: f64, pressures: &[f64], first: &FirstImpact) {
-        if self.trial != first.trials() {
-            self.trial = first.trials();
+        if self.trial != first.trials {
+            self.trial = first.trials;
             self.first_moment = None;
             self.first_highest.fill(0.0);
         }

@@ -116,3 +116,20 @@ fn no_bar_is_narrower_than_the_narrowest() {
 fn without_companions_there_are_no_bars() {
     assert_eq!(bars(&[0.01], 1.0), ErrorBars::default());
 }
+
+/// The story: a caisson stood at F* = 2.266 ± 0.007 and X* = 0 ± 0. It gives way at 2.266, and went
+/// 0.83 h at half the spacing.
+#[test]
+fn a_wall_that_may_move_has_no_bar_of_its_displacement() {
+    let bar_at = |force: f64| {
+        let runs = [0.01, 0.02].map(|spacing| {
+            let mut outcome = outcome(spacing, 1.0);
+            outcome.force_max.value = force;
+            outcome.displacement_max = Some(Maximum { value: 0.0, time_s: 0.0 });
+            (config(spacing), outcome)
+        });
+        ErrorBars::new(&runs[0].0, &runs[0].1, &[(&runs[1].0, &runs[1].1)]).displacement
+    };
+    // It moves from F* = 1.1 on, and the scatter of a force is 0.28 %.
+    assert_eq!([bar_at(1.09), bar_at(1.099)], [Some(0.0), None]);
+}

@@ -35,7 +35,8 @@ fn doubt(
         let lost = if (from..to).contains(&time) { void } else { 0.0 };
         gaps.push(time, [1.046 * (1.0 - lost), 1.0]);
     }
-    let water = Acoustics { depth: 0.2, gravity: 9.81, sound_speed: Some(11.2) };
+    let water =
+        Acoustics { depth: 0.2, depth_at_wall: 0.2, gravity: 9.81, sound_speed: Some(11.2) };
     let mut blows = Blows::new(water);
     blows.hit(Hit { time_s: 2.0, dt: 0.001, speed: 0.3, runup: 0.0 }, 0.8);
     let mut found = Found::default();

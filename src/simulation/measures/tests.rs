@@ -1,6 +1,7 @@
 use super::*;
 
-const WATER: Acoustics = Acoustics { depth: 0.2, gravity: 9.81, sound_speed: Some(11.2) };
+const WATER: Acoustics =
+    Acoustics { depth: 0.2, depth_at_wall: 0.2, gravity: 9.81, sound_speed: Some(11.2) };
 
 /// Feeds F*, R*, X* and the stops at a time, every millisecond.
 fn feed(thresholds: [f64; 2], at: impl Fn(f64) -> ([f64; 3], u32)) -> Measures {
@@ -173,5 +174,40 @@ fn an_impulse_reaches_up_to_the_blow_that_ends_it() {
         let whole = within.map(|force| 0.001 * (force - 1.0)).sum::<f64>();
         let told = measures.first.impulse().unwrap();
         assert!((told / whole - 1.0).abs() < 0.01, "{turn:?}: {told} of {whole}");
+    }
+}
+
+/// The story: a caisson slid 0.05 h towards the water. It was told not to have moved.
+#[test]
+fn a_wall_that_nothing_drives_back_goes_to_either_side() {
+    let m = measure(|t| 1.0 + bell(t, 1.0, 1.0), |t| (-bell(t, 2.0, 0.05), 0));
+    let farthest = m.displacement.unwrap();
+    assert!((farthest.value - 0.05).abs() < 1e-5 && (farthest.time_s - 2.0).abs() < 2e-3);
+}
+
+/// The story: a caisson broke loose at F* = 2.5. Its largest force was told as 2.46, as the mean
+/// over time went across the fall behind.
+#[test]
+fn a_wall_that_breaks_loose_has_borne_its_limit() {
+    let rises = |time: f64| 1.0 + 15.0 * (time - 0.9).max(0.0);
+    let slides = |time| ([if time < 1.0 { rises(time) } else { 2.0 }, 0.5, 0.0], 0);
+    let told = |step: Option<(&WallStep, bool)>| {
+        let mut measures = Measures::new([2.5, 1.1], WATER, None, 0);
+        for k in 0..2000 {
+            let time = 0.001 * f64::from(k);
+            let ([force, runup, displacement], stops) = slides(time);
+            measures.push(Reading { time, force, runup, displacement, stops }, None, None);
+            if let (1000, Some((step, rested))) = (k, step) {
+                measures.note(time, 0.001, step, rested);
+            }
+        }
+        [measures.force, measures.first.force()].map(|force| force.unwrap().value)
+    };
+    let step = WallStep { travel: 1e-6, jumps: true, ..WallStep::default() };
+    let back = WallStep { travel: -1e-6, ..step };
+    assert!(told(None)[0] < 2.49);
+    assert_eq!(told(Some((&step, true))), [2.5; 2]);
+    for other in [(&back, true), (&step, false)] {
+        assert_eq!(told(Some(other)), told(None), "towards the water, or as it turns round");
     }
 }
