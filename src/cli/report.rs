@@ -16,8 +16,8 @@ use crate::keys::named;
 use crate::math::words::counted;
 use crate::report::{Froude, Omitted, Written};
 use crate::results::{
-    Closing, Derived, Lock, MADE_BY_SWEEPS, Manifest, SweepError, Verified, VerifiedFiles,
-    renew_tables, verify, verify_files, write_sound_histories,
+    Closing, Derived, Lock, MADE_BY_SWEEPS, Manifest, SweepError, Verified, renew_tables, verify,
+    write_sound_histories,
 };
 
 /// Write tables, figures and report.html from the files of a study. Nothing is simulated.
@@ -103,7 +103,7 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
 }
 
 /// Makes tables again that differ from the journal. They stay as they are if the directory does not
-/// hold its whole study. Returns files of cases that are damaged or missing.
+/// hold its whole study, or if that cannot be made again. Returns files of cases that are damaged or missing.
 fn renew(args: &ReportArgs, output: &Output) -> anyhow::Result<Vec<PathBuf>> {
     if Lock::is_held(&args.dir) {
         return Ok(Vec::new());
@@ -112,35 +112,24 @@ fn renew(args: &ReportArgs, output: &Output) -> anyhow::Result<Vec<PathBuf>> {
         output.note("manifest.json is missing or damaged: the page says nothing of where its numbers come from");
     }
     let study = match stored::study(&args.dir) {
-        Ok((study, _)) => study,
-        Err(error) => return without_study(args, &error, output),
+        Ok((study, _)) => Some(study),
+        Err(_) if !args.dir.join(JOURNAL).is_file() => return Ok(Vec::new()),
+        Err(error) => {
+            if Manifest::damage(&args.dir).is_none() {
+                let why = stored::missing_stroke(&args.dir).unwrap_or_else(|| format!("{error:#}"));
+                output.note(format_args!("summary.csv is not compared with the journal: {why}"));
+            }
+            None
+        }
     };
-    let Verified { told, damaged, records, .. } = verify(&args.dir, &study)?;
+    let Verified { told, damaged, records, .. } = verify(&args.dir, study.as_ref())?;
     for told in told {
         output.note(told);
     }
-    for table in renew_tables(&args.dir, &study, &records).map_err(not_writable)? {
-        output.note(format_args!("{table}: made again from the journal"));
-    }
-    Ok(damaged)
-}
-
-/// Files of cases that are damaged or missing by the journal alone. The tables stay as they are.
-fn without_study(
-    args: &ReportArgs,
-    error: &anyhow::Error,
-    output: &Output,
-) -> anyhow::Result<Vec<PathBuf>> {
-    if !args.dir.join(JOURNAL).is_file() {
-        return Ok(Vec::new());
-    }
-    if Manifest::damage(&args.dir).is_none() {
-        let why = stored::missing_stroke(&args.dir).unwrap_or_else(|| format!("{error:#}"));
-        output.note(format_args!("summary.csv is not compared with the journal: {why}"));
-    }
-    let VerifiedFiles { told, damaged, .. } = verify_files(&args.dir)?;
-    for told in told {
-        output.note(told);
+    if let Some(study) = study {
+        for table in renew_tables(&args.dir, &study, &records).map_err(not_writable)? {
+            output.note(format_args!("{table}: made again from the journal"));
+        }
     }
     Ok(damaged)
 }

@@ -11,9 +11,7 @@ use super::output::Output;
 use super::{CASES_FAILED, SUCCESS, film, options, stored};
 use crate::disk::names::JOURNAL;
 use crate::math::words::counted;
-use crate::results::{
-    CaseRecord, Manifest, Verified, VerifiedFiles, first_difference, verify, verify_files,
-};
+use crate::results::{CaseRecord, Manifest, Verified, first_difference, verify};
 use crate::simulation::{Resources, Unwatched, run_case};
 use crate::study::Study;
 
@@ -35,35 +33,42 @@ pub(super) struct VerifyArgs {
 
 pub(super) fn main(args: &VerifyArgs, output: &Output) -> anyhow::Result<u8> {
     demand_output_of_study(&args.dir, JOURNAL)?;
-    let (study, simd) = match (stored::study(&args.dir), Manifest::damage(&args.dir)) {
+    let (stored, why) = match (stored::study(&args.dir), Manifest::damage(&args.dir)) {
         (Err(_), Some(what)) => return lost(what, output),
         (Err(error), None) => match stored::missing_stroke(&args.dir) {
-            Some(why) if args.rerun == 0 => return without_study(args, &why, output),
+            // The journal has a checksum of every file of a case. Only its tables need the study.
+            Some(why) if args.rerun == 0 => (None, Some(why)),
             why => return Err(why.map_or(error, |why| BadInput::of(&args.dir, why).into())),
         },
-        (study, _) => study?,
+        (stored, _) => (Some(stored?), None),
     };
-    let Verified { mut told, older, records, .. } = verify(&args.dir, &study)?;
+    let study = stored.as_ref().map(|(study, _)| study);
+    let Verified { mut told, older, cases, records, .. } = verify(&args.dir, study)?;
     older.iter().for_each(|older| output.note(older));
-    let resources = Resources { simd, threads: film::threads(args.threads) };
-    let again = sample(&study, &records, args.rerun);
-    for &place in &again {
-        let case = &study.cases[place];
-        output.note(format_args!("running {} again", case.id));
-        let difference = match run_case(&case.config, None, resources, &Unwatched) {
-            Ok(result) => first_difference(&args.dir, (&study, &records), case, &result)?,
-            Err(stopped) => Some(format!("it ended with {stopped}")),
-        };
-        told.extend(difference.map(|difference| format!("{} run again: {difference}", case.id)));
+    if let Some(why) = why {
+        let tables = "summary.csv and energy.csv are not compared with the journal";
+        output.note(format_args!("{tables}: {why}"));
     }
-    let finished = records[..study.cases.len()].iter().flatten().count();
-    let mut text = in_lines(&told, finished);
+    let mut again = Vec::new();
+    if let Some((study, simd)) = &stored {
+        let resources = Resources { simd: *simd, threads: film::threads(args.threads) };
+        again = sample(study, &records, args.rerun);
+        for case in again.iter().map(|&place| &study.cases[place]) {
+            output.note(format_args!("running {} again", case.id));
+            let difference = match run_case(&case.config, None, resources, &Unwatched) {
+                Ok(result) => first_difference(&args.dir, (study, &records), case, &result)?,
+                Err(stopped) => Some(format!("it ended with {stopped}")),
+            };
+            told.extend(difference.map(|told| format!("{} run again: {told}", case.id)));
+        }
+    }
+    let mut text = in_lines(&told, cases);
     match (args.rerun, again.len()) {
         (0, _) => {}
         (_, 0) => text.push_str("none ran again: no case of this study has ended well\n"),
-        (_, cases) => text.push_str(&format!("{} ran again, from rest\n", counted(cases, "case"))),
+        (_, count) => text.push_str(&format!("{} ran again, from rest\n", counted(count, "case"))),
     }
-    let value = json!({ "cases": finished, "rerun": again.len(), "damage": told });
+    let value = json!({ "cases": cases, "rerun": again.len(), "damage": told });
     output.result(&text, &value)?;
     Ok(if told.is_empty() { SUCCESS } else { CASES_FAILED })
 }
@@ -73,16 +78,6 @@ fn in_lines(told: &[String], cases: usize) -> String {
         [] => format!("{}: every file is as it was written\n", counted(cases, "case")),
         _ => told.iter().map(|line| format!("{line}\n")).collect(),
     }
-}
-
-/// The journal has a checksum of every file of a case. Only its tables need the study.
-fn without_study(args: &VerifyArgs, why: &str, output: &Output) -> anyhow::Result<u8> {
-    let VerifiedFiles { told, cases, .. } = verify_files(&args.dir)?;
-    output
-        .note(format_args!("summary.csv and energy.csv are not compared with the journal: {why}"));
-    let value = json!({ "cases": cases, "rerun": 0, "damage": told });
-    output.result(&in_lines(&told, cases), &value)?;
-    Ok(if told.is_empty() { SUCCESS } else { CASES_FAILED })
 }
 
 /// Without the manifest nothing says what the other files should hold.

@@ -88,5 +88,5 @@ pub use program::Program;
 pub use record::{CaseRecord, Fared};
 pub use seal::Seal;
 pub use tables::renew_tables;
-pub use verify::{Verified, VerifiedFiles, verify, verify_files};
+pub use verify::{Verified, verify};
 pub use wanted::Wanted;

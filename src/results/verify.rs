@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use super::derived::{CUT, Derived};
-use super::ended::{Ended, EndedLine, Line};
+use super::ended::{EndedLine, Line};
 use super::entries::{Condition, Content};
 use super::error::SweepError;
-use super::filling::{self, Filling};
+use super::filling::{self, Damaged, Filling};
 use super::lock::Lock;
 use super::manifest::Manifest;
 use super::record::{CaseRecord, HeldLine};
@@ -17,7 +17,7 @@ use crate::disk::names::PAGE;
 use crate::keys::named;
 use crate::study::Study;
 
-/// The result of a check of a whole directory.
+/// The result of a check.
 #[derive(Debug)]
 pub struct Verified {
     /// Everything that has changed, in words.
@@ -27,76 +27,71 @@ pub struct Verified {
     pub older: Vec<String>,
     /// Files of cases that are damaged or missing.
     pub damaged: Vec<PathBuf>,
-    /// The finished cases and companions, as in [`super::finished`].
+    /// Number of finished cases. Without the study: of those that have files.
+    pub cases: usize,
+    /// The finished cases and companions, as in [`super::finished`]. Empty without the study.
     pub records: Vec<Option<CaseRecord>>,
 }
 
-/// Checks everything in a directory.
-pub fn verify(directory: &Path, study: &Study) -> Result<Verified, SweepError> {
+/// Checks everything in a directory. Without the study that is every file with a checksum: the
+/// tables that are made from the journal have none.
+pub fn verify(directory: &Path, study: Option<&Study>) -> Result<Verified, SweepError> {
     let mut running = Lock::is_held(directory);
-    let mut filling = Filling::<HeldLine>::new(directory, study);
-    let content = journal::read_in_blocks(directory, |lines| filling.take(lines))?;
-    let (records, damaged) = filling.all();
-    let mut told = of_journal(&content, Some(study), running);
-    told.extend(damaged.iter().map(filling::in_words));
-    let damaged = damaged.into_iter().map(|(path, _)| path).collect();
+    let (mut told, damage, cases, records) = match study {
+        Some(study) => of_study(directory, study, running)?,
+        None => of_files(directory, running)?,
+    };
+    told.extend(damage.iter().map(filling::in_words));
     told.extend(of_checkpoints(directory));
     let mut older = Vec::new();
-    for table in Table::ALL {
-        let fit = table.fit(directory, study, &records)?;
-        running = running || Lock::is_held(directory);
-        match fit {
-            Fit::Right => {}
-            Fit::Older => older.push(format!("{} {OLDER}", table.name())),
-            Fit::Wrong(_) if running => older.push(format!("{} {OLDER}", table.name())),
-            Fit::Wrong(what) => told.push(format!("{} {what}", table.name())),
+    if let Some(study) = study {
+        for table in Table::ALL {
+            let fit = table.fit(directory, study, &records)?;
+            running = running || Lock::is_held(directory);
+            match fit {
+                Fit::Right => {}
+                Fit::Wrong(what) if !running => told.push(format!("{} {what}", table.name())),
+                Fit::Older | Fit::Wrong(_) => older.push(format!("{} {OLDER}", table.name())),
+            }
         }
     }
     told.extend(of_the_rest(directory));
     // A sweep that died after its last case has made no page of it.
     let early = !older.is_empty() || !directory.join(PAGE).exists();
-    let is_owed = !running && records.iter().all(Option::is_some) && Derived::is_owed(directory);
+    let is_whole = study.is_some() && records.iter().all(Option::is_some);
+    let is_owed = !running && is_whole && Derived::is_owed(directory);
     if is_owed && early && !told.iter().any(|line| line == CUT) {
         told.push(CUT.to_owned());
     }
-    Ok(Verified { told, older, damaged, records })
+    let damaged = damage.into_iter().map(|(path, _)| path).collect();
+    Ok(Verified { told, older, damaged, cases, records })
 }
 
 const OLDER: &str =
     "is older than the journal; the next `seawall sweep` or `seawall report` makes it again";
 
-/// The result of a check without the study.
-#[derive(Debug)]
-pub struct VerifiedFiles {
-    /// Everything that has changed, in words.
-    pub told: Vec<String>,
-    /// Files of cases that are damaged or missing.
-    pub damaged: Vec<PathBuf>,
-    /// Number of finished cases.
-    pub cases: usize,
+/// The damage of the journal, that of the cases' files, the number of finished cases, and records.
+type Known = (Vec<String>, Vec<Damaged>, usize, Vec<Option<CaseRecord>>);
+
+fn of_study(directory: &Path, study: &Study, running: bool) -> Result<Known, SweepError> {
+    let mut filling = Filling::<HeldLine>::new(directory, study);
+    let content = journal::read_in_blocks(directory, |lines| filling.take(lines))?;
+    let (records, damage) = filling.all();
+    let cases = records[..study.cases.len()].iter().flatten().count();
+    Ok((of_journal(&content, Some(study), running), damage, cases, records))
 }
 
-/// Checks every file with a checksum. The tables that are made from the journal have none: for those
-/// the study is needed.
-pub fn verify_files(directory: &Path) -> Result<VerifiedFiles, SweepError> {
-    let running = Lock::is_held(directory);
+fn of_files(directory: &Path, running: bool) -> Result<Known, SweepError> {
     let mut latest = BTreeMap::new();
     let content = journal::read_in_blocks(directory, |lines: Vec<EndedLine>| {
-        let files = lines.into_iter().map(|line| (line.ended(), line.split(0).1));
-        latest.extend(files.map(|(Ended { id, is_ok }, seals)| (id, (is_ok, seals))));
+        latest.extend(lines.into_iter().map(|line| (line.ended().id, line)));
     })?;
-    let mut told = of_journal(&content, None, running);
     // Failed cases and companions have no files.
-    let with_files = latest.into_iter().filter(|(_, (is_ok, seals))| *is_ok && !seals.is_empty());
-    let (mut cases, mut damaged) = (0, Vec::new());
-    for (id, (_, seals)) in with_files {
-        cases += 1;
-        damaged.extend(files::damage(directory, id, &seals));
-    }
-    told.extend(damaged.iter().map(filling::in_words));
-    told.extend(of_checkpoints(directory));
-    told.extend(of_the_rest(directory));
-    Ok(VerifiedFiles { told, damaged: damaged.into_iter().map(|(path, _)| path).collect(), cases })
+    let well = latest.into_iter().filter(|(_, line)| line.ended().is_ok);
+    let files: Vec<_> = well.map(|(id, line)| (id, line.split(0).1)).collect();
+    let cases = files.iter().filter(|(_, seals)| !seals.is_empty()).count();
+    let damage = files.iter().flat_map(|(id, seals)| files::damage(directory, *id, seals));
+    Ok((of_journal(&content, None, running), damage.collect(), cases, Vec::new()))
 }
 
 /// The damage of a journal. The last line of a running sweep may be on its way.
@@ -137,7 +132,7 @@ mod tests {
         let (path, study) = (root.path().join("run"), trial::study("0.2, 0.3"));
         drop(trial::finished(&path, &study));
         Manifest::new(&path, &study, &[], trial::SIMD).write(&path).unwrap();
-        let told = || verify(&path, &study).unwrap().told;
+        let told = || verify(&path, Some(&study)).unwrap().told;
         assert_eq!(told(), Vec::<String>::new());
         let history = std::fs::read_dir(path.join("histories")).unwrap().next().unwrap().unwrap();
         for (name, case_runs_again) in [
@@ -188,7 +183,7 @@ mod tests {
         manifest.sessions.push(SessionInfo::default());
         manifest.write(&path).unwrap();
         let count = || {
-            let Verified { told, older, .. } = verify(&path, &study).unwrap();
+            let Verified { told, older, .. } = verify(&path, Some(&study)).unwrap();
             [told.len(), older.len()]
         };
         assert_eq!(count(), [0, 0]);
@@ -218,11 +213,11 @@ mod tests {
         let (path, study) = (root.path().join("run"), trial::study("0.2, 0.3"));
         drop(trial::finished(&path, &study));
         Manifest::new(&path, &study, &[], trial::SIMD).write(&path).unwrap();
-        let found = verify_files(&path).unwrap();
+        let found = verify(&path, None).unwrap();
         assert_eq!((found.told, found.cases), (Vec::new(), 2));
         let history = files::history_path(&path, study.cases[1].id);
         std::fs::write(&history, "time_s\n").unwrap();
-        let found = verify_files(&path).unwrap();
+        let found = verify(&path, None).unwrap();
         assert_eq!((found.told.len(), found.damaged), (1, vec![history]));
     }
 }
