@@ -8,7 +8,6 @@ use serde::{Deserialize, Serialize};
 
 use super::checksum::checksum;
 use super::files;
-use super::round_trip;
 use super::seal::Seals;
 use crate::disk::names::MANIFEST;
 use crate::simulation::{CaseResult, EnergyBudget, NamedReading, Outcome, PhaseShare};
@@ -24,6 +23,28 @@ pub struct Filed {
     pub(super) seals: Seals,
     /// Whether the files are certainly on the disk.
     pub(super) on_disk: bool,
+}
+
+impl Filed {
+    /// The part of a result that goes to the journal, without files.
+    ///
+    /// # Errors
+    /// It does not come back from JSON unchanged. NaN and infinity are written there as `null`.
+    pub(super) fn of(result: &CaseResult) -> Result<Filed, String> {
+        let filed = Filed {
+            outcome: result.outcome.clone(),
+            energy: result.energy,
+            readings: result.readings.clone(),
+            phases: result.phases.clone(),
+            seals: Seals::new(),
+            on_disk: false,
+        };
+        let text = serde_json::to_vec(&filed).expect("plain data has a JSON form");
+        match serde_json::from_slice::<Filed>(&text) {
+            Ok(read) if read == filed => Ok(filed),
+            _ => Err("not-a-number: a reported quantity is not a finite number".to_owned()),
+        }
+    }
 }
 
 /// A successful case, on its way to the coordinator.
@@ -103,19 +124,15 @@ impl Filing {
     /// Writes the files of a case under this name, if it has any. If that fails, the result is
     /// delivered whole; the coordinator tries again and reports the error.
     pub fn deliver(&self, files: Option<CaseId>, result: CaseResult) -> Delivery {
-        let written = round_trip::demand_of(&result).ok().and_then(|()| match files {
-            Some(id) => files::write(&self.directory, id, &result, self.syncs).ok(),
-            None => Some(Seals::new()),
+        let filed = Filed::of(&result).ok().and_then(|filed| {
+            let write = |id| files::write(&self.directory, id, &result, self.syncs).ok();
+            let seals = files.map_or(Some(Seals::new()), write)?;
+            Some(Filed { seals, on_disk: self.syncs, ..filed })
         });
-        let Some(seals) = written else { return Delivery::Whole(Box::new(result)) };
-        Delivery::Filed(Box::new(Filed {
-            outcome: result.outcome,
-            energy: result.energy,
-            readings: result.readings,
-            phases: result.phases,
-            seals,
-            on_disk: self.syncs,
-        }))
+        match filed {
+            Some(filed) => Delivery::Filed(Box::new(filed)),
+            None => Delivery::Whole(Box::new(result)),
+        }
     }
 }
 

@@ -44,7 +44,6 @@ mod other_sweep;
 mod probe_columns;
 mod program;
 mod record;
-mod round_trip;
 mod rows;
 mod seal;
 mod sealed;

@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use super::filing::Filed;
-use super::round_trip;
 use super::seal::{Seal, Seals};
 use super::wanted::Wanted;
 use crate::simulation::{
@@ -136,22 +135,21 @@ impl CaseRecord {
         wall_time_s: f64,
         host: &str,
     ) -> CaseRecord {
-        let mut record = CaseRecord::blank(case.index, case.id, wall_time_s, host);
-        record.values = study.values(case).into_iter().collect();
-        match result {
-            Ok(result) => {
-                record.outcome = Some(result.outcome.clone());
-                record.reason = one_line(result.outcome.recovered.as_deref().unwrap_or_default());
-                record.energy = Some(result.energy);
-                record.readings.clone_from(&result.readings);
-                record.phases.clone_from(&result.phases);
-                if let Err(detail) = round_trip::demand(&record) {
-                    record.fail(FailureKind::NotANumber, detail);
+        let (kind, reason) = match result {
+            Ok(result) => match Filed::of(result) {
+                Ok(filed) => {
+                    return CaseRecord::of_filed(study, case, &filed, wall_time_s, host);
                 }
-            }
-            Err(failure) => record.fail(failure.kind, failure.to_string()),
+                Err(reason) => (FailureKind::NotANumber, reason),
+            },
+            Err(failure) => (failure.kind, failure.to_string()),
+        };
+        CaseRecord {
+            values: study.values(case).into_iter().collect(),
+            failure: Some(kind),
+            reason: one_line(&reason),
+            ..CaseRecord::blank(case.index, case.id, wall_time_s, host)
         }
-        record
     }
 
     /// The record of a case whose files were written where it ran.
@@ -195,15 +193,6 @@ impl CaseRecord {
     /// Whether the case is ok.
     pub fn is_ok(&self) -> bool {
         self.failure.is_none()
-    }
-
-    fn fail(&mut self, kind: FailureKind, reason: String) {
-        self.failure = Some(kind);
-        self.reason = one_line(&reason);
-        self.outcome = None;
-        self.energy = None;
-        self.readings = Vec::new();
-        self.phases = Vec::new();
     }
 }
 

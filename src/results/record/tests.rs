@@ -12,8 +12,20 @@ fn a_result_that_is_no_number_is_a_failure() {
     let record = CaseRecord::new(&study, case, &Ok(result.clone()), 1.0, "here");
     assert_eq!(record.failure, Some(FailureKind::NotANumber));
     result.outcome.measured_wave_height_ratio = None;
-    result.energy.kinetic = f64::INFINITY;
-    assert!(!CaseRecord::new(&study, case, &Ok(result), 1.0, "here").is_ok());
+    let (tiny, largest) = (f64::MIN_POSITIVE / 3.0, f64::MAX);
+    for number in [0.1, -0.0, tiny, largest, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let with = |set: &dyn Fn(&mut CaseResult)| {
+            let mut result = result.clone();
+            set(&mut result);
+            CaseRecord::new(&study, case, &Ok(result), 1.0, "here").is_ok()
+        };
+        let fine = [
+            with(&|result| result.outcome.force_max.value = number),
+            with(&|result| result.energy.kinetic = number),
+            with(&|result| result.readings = vec![NamedReading::new("", number, "")]),
+        ];
+        assert_eq!(fine, [number.is_finite(); 3], "{number}");
+    }
 }
 
 #[test]
