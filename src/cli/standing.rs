@@ -14,7 +14,7 @@ use super::watch::View;
 use crate::disk::names::JOURNAL;
 use crate::math::words::counted;
 use crate::results::{
-    Closing, Derived, Fared, Header, Load, Lock, Manifest, RankInfo, read_journal_header,
+    Closing, Derived, Fared, Header, Load, Lock, Manifest, RankInfo, header_of,
     read_journal_in_blocks,
 };
 
@@ -28,9 +28,9 @@ struct Known {
 }
 
 impl Known {
-    /// Reads only the journal's first line.
+    /// Reads no more than the journal's first line.
     fn of_header(directory: &Path) -> anyhow::Result<Known> {
-        let header = read_journal_header(directory)?;
+        let header = header_of(directory)?;
         Ok(Known { header, added: None, latest: BTreeMap::new() })
     }
 
@@ -91,12 +91,8 @@ impl Standing {
         let known =
             if closed { Known::of_header(directory)? } else { Known::of_journal(directory)? };
         let Known { header, added, mut latest } = known;
-        // If the journal's first line is lost, the manifest says the same.
-        let lost = manifest.as_ref().filter(|_| !latest.is_empty());
-        let header = header.or_else(|| {
-            let Manifest { name, sweep, cases, .. } = lost?;
-            Some(Header::new(name, sweep, *cases, lost?.simd_path()?))
-        });
+        let is_lost = header.is_none() && !latest.is_empty();
+        let header = if is_lost { header_of(directory)? } else { header };
         let Some(header) = header else {
             let reason =
                 "the sweep was stopped before it began, or the journal's first line is lost";

@@ -8,7 +8,7 @@ use super::{max_error, refine};
 use crate::disk::names::{JOURNAL, MANIFEST, SUMMARY};
 use crate::keys::named;
 use crate::math::simd::SimdPath;
-use crate::results::{Lock, Manifest, read_journal_header};
+use crate::results::{Lock, Manifest, header_of};
 use crate::study::{Override, PHYSICS_VERSION, Study, SweepFile};
 
 /// The study, and the instruction set that it was computed with.
@@ -17,9 +17,7 @@ pub(super) fn study(directory: &Path) -> anyhow::Result<(Study, SimdPath)> {
     let (_, study) = file_and_study(directory)?;
     demand_output_of_study(directory, JOURNAL)?;
     let unfinished = || bad("the sweep was stopped before it began".to_owned());
-    // If the journal's first line is lost, the manifest says the same.
-    let simd = read_journal_header(directory)?.map(|header| header.simd);
-    let simd = simd.or_else(|| Manifest::read(directory)?.simd_path()).ok_or_else(unfinished)?;
+    let simd = header_of(directory)?.ok_or_else(unfinished)?.simd;
     if !simd.is_supported() {
         let simd = crate::math::name::name_of(simd);
         return Err(bad(format!("was computed with {simd}, which this machine lacks")).into());

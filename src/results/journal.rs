@@ -15,6 +15,7 @@ use serde::Serialize;
 use super::atomic_file;
 use super::entries::{self, Condition, Content, Entry, Header};
 use super::error::SweepError;
+use super::manifest::Manifest;
 use super::record::CaseRecord;
 use super::wanted::Wanted;
 use crate::disk;
@@ -151,12 +152,25 @@ fn keep_damaged(directory: &Path, lines: &[u8]) -> Result<(), SweepError> {
 ///
 /// # Errors
 /// A file that cannot be read, or another program's.
-pub fn read_header(directory: &Path) -> Result<Option<Header>, SweepError> {
+pub(super) fn read_header(directory: &Path) -> Result<Option<Header>, SweepError> {
     let path = directory.join(JOURNAL);
     let file = File::open(&path).map_err(SweepError::io(&path))?;
     let mut line = Vec::new();
     BufReader::new(file).read_until(b'\n', &mut line).map_err(SweepError::io(&path))?;
     Ok(entries::parse::<CaseRecord>(&path, &line[..])?.header)
+}
+
+/// The header of a directory's journal. If its line is lost, the manifest says the same.
+///
+/// # Errors
+/// A file that cannot be read, or another program's.
+pub fn header_of(directory: &Path) -> Result<Option<Header>, SweepError> {
+    let of_manifest = || {
+        let manifest = Manifest::read(directory)?;
+        let simd = manifest.simd_path()?;
+        Some(Header::new(&manifest.name, &manifest.sweep, manifest.cases, simd))
+    };
+    Ok(read_header(directory)?.or_else(of_manifest))
 }
 
 /// Reads a journal without changing it, and passes on its records block by block. `R` has the

@@ -72,10 +72,7 @@ pub use entries::{Content, Header};
 pub use error::SweepError;
 pub use error_bars::{ErrorBars, narrowest_bar_percent};
 pub use filing::{Delivery, Filed, Filing, Mark};
-pub use journal::{
-    Journal, read_header as read_journal_header, read_in_blocks as read_journal_in_blocks,
-    read_journal,
-};
+pub use journal::{Journal, header_of, read_in_blocks as read_journal_in_blocks, read_journal};
 pub use left::Left;
 pub use load::{Load, RankLoad, forget_load};
 pub use lock::Lock;

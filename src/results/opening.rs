@@ -6,6 +6,7 @@ use std::time::SystemTime;
 
 use super::entries::{Content, Header};
 use super::error::SweepError;
+use super::journal::header_of;
 use super::lock::{self, Lock};
 use super::manifest::Manifest;
 use super::other_sweep::difference;
@@ -105,8 +106,7 @@ pub(super) fn header(
     if let Some(header) = &content.header {
         return Ok(header.clone());
     }
-    let manifest = Manifest::read(path).filter(|manifest| manifest.sweep == study.identity);
-    let told = manifest.as_ref().and_then(Manifest::simd_path);
+    let told = header_of(path)?.filter(|told| told.sweep == study.identity).map(|told| told.simd);
     let simd = if content.found > 0 {
         told
     } else {
