@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use super::atomic_file;
-use super::checksum::{checksum_of, split};
+use super::checksum::Frame;
 use super::error::SweepError;
 use super::program::Program;
 use crate::disk;
@@ -27,8 +27,8 @@ pub(super) const CASE: &str = "case";
 pub(super) const TRUNK: &str = "trunk";
 /// Changes whenever the layout of the file does. The layout of the state changes with the build.
 const LAYOUT: u32 = 1;
-/// The text before the sum, and between it and the head.
-const FRAME: [&str; 2] = ["{\"sum\":\"", "\",\"checkpoint\":"];
+/// That of the first line.
+const FRAME: Frame = Frame(["{\"sum\":\"", "\",\"checkpoint\":", "}"]);
 
 /// The head, which comes before the state.
 #[derive(Debug, Serialize, Deserialize)]
@@ -43,8 +43,7 @@ impl Head {
     /// The line before a state.
     fn line(&self, state: &[u8]) -> String {
         let head = serde_json::to_string(self).expect("plain data has a JSON form");
-        let ([before, between], sum) = (FRAME, checksum_of([head.as_bytes(), state]));
-        format!("{before}{sum}{between}{head}}}\n")
+        FRAME.around(&head, state) + "\n"
     }
 }
 
@@ -123,11 +122,7 @@ impl Checkpoint {
 /// The head of a complete file, and the start of its state; `None` if anything is damaged.
 pub(super) fn whole(bytes: &[u8]) -> Option<(Head, usize)> {
     let end = bytes.iter().position(|&byte| byte == b'\n')?;
-    let (sum, rest) = split(&bytes[..end], FRAME)?;
-    let head = rest.strip_suffix(b"}")?;
-    if checksum_of([head, &bytes[end + 1..]]).as_bytes() != sum {
-        return None;
-    }
+    let head = FRAME.text(&bytes[..end], &bytes[end + 1..])?;
     Some((serde_json::from_slice(head).ok()?, end + 1))
 }
 

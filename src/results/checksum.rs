@@ -35,11 +35,22 @@ pub(super) fn checksum_of_rest(mut from: impl Read) -> Result<(u64, String)> {
     }
 }
 
-/// Splits a text with a sum: the sum, which follows `before`, and the text after `between`.
-pub(super) fn split<'a>(
-    text: &'a [u8],
-    [before, between]: [&str; 2],
-) -> Option<(&'a [u8], &'a [u8])> {
-    let (sum, rest) = text.strip_prefix(before.as_bytes())?.split_at_checked(LENGTH)?;
-    Some((sum, rest.strip_prefix(between.as_bytes())?))
+/// What stands around a text and its sum in a file: before the sum, between it and the text, and after
+/// the text.
+pub(super) struct Frame(pub(super) [&'static str; 3]);
+
+impl Frame {
+    /// A text, under a sum over it and what follows in the file.
+    pub(super) fn around(&self, text: &str, follows: &[u8]) -> String {
+        let ([before, between, after], sum) = (self.0, checksum_of([text.as_bytes(), follows]));
+        format!("{before}{sum}{between}{text}{after}")
+    }
+
+    /// The text of one, if its sum is right.
+    pub(super) fn text<'a>(&self, whole: &'a [u8], follows: &[u8]) -> Option<&'a [u8]> {
+        let [before, between, after] = self.0.map(str::as_bytes);
+        let (sum, rest) = whole.strip_prefix(before)?.split_at_checked(LENGTH)?;
+        let text = rest.strip_prefix(between)?.strip_suffix(after)?;
+        (checksum_of([text, follows]).as_bytes() == sum).then_some(text)
+    }
 }

@@ -9,7 +9,7 @@ use std::path::Path;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::checksum::{checksum, split};
+use super::checksum::Frame;
 use super::error::SweepError;
 use super::record::CaseRecord;
 use super::wanted::{Wanted, wanted};
@@ -50,7 +50,7 @@ impl<R: Serialize> Entry<R> {
     /// Its line.
     pub(super) fn line(&self) -> String {
         let entry = serde_json::to_string(self).expect("an entry has a JSON form");
-        format!("{{\"sum\":\"{}\",\"entry\":{entry}}}\n", checksum(entry.as_bytes()))
+        FRAME.around(&entry, b"") + "\n"
     }
 }
 
@@ -227,12 +227,12 @@ pub(super) fn sorted(bytes: &[u8]) -> [Vec<u8>; 2] {
     [whole, damaged]
 }
 
-/// The text before the sum, and between it and the entry.
-const FRAME: [&str; 2] = ["{\"sum\":\"", "\",\"entry\":"];
+/// That of a line.
+const FRAME: Frame = Frame(["{\"sum\":\"", "\",\"entry\":", "}"]);
 
 /// The parts of a line: usually itself, or two lines whose break is damaged.
 fn pieces(line: &[u8]) -> Vec<&[u8]> {
-    let start = FRAME[0].as_bytes();
+    let start = FRAME.0[0].as_bytes();
     let starts = line.windows(start.len()).enumerate().skip(1);
     let starts = starts.filter(|(_, window)| *window == start).map(|(at, _)| at);
     let mut ends: Vec<usize> = starts.chain([line.len()]).collect();
@@ -244,6 +244,5 @@ fn pieces(line: &[u8]) -> Vec<&[u8]> {
 /// lost.
 fn whole_entry(line: &[u8]) -> Option<&[u8]> {
     let (_break, line) = line.split_last()?;
-    let (sum, entry) = split(line.strip_suffix(b"}")?, FRAME)?;
-    (checksum(entry).as_bytes() == sum).then_some(entry)
+    FRAME.text(line, b"")
 }

@@ -9,11 +9,11 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 use super::atomic_file;
-use super::checksum::{checksum, split};
+use super::checksum::Frame;
 use super::error::SweepError;
 
-/// The text before the sum, and after it.
-const FRAME: [&str; 2] = ["{\n  \"sum\": \"", "\",\n"];
+/// That of an object's fields.
+const FRAME: Frame = Frame(["{\n  \"sum\": \"", "\",\n", ""]);
 
 /// Writes an object with fields, under its sum.
 pub(super) fn write(path: &Path, object: &impl Serialize) -> Result<(), SweepError> {
@@ -30,13 +30,12 @@ pub(super) fn read<T: DeserializeOwned>(path: &Path) -> Option<T> {
 fn sealed(object: &impl Serialize) -> String {
     let text = serde_json::to_string_pretty(object).expect("plain data has a JSON form");
     let fields = text.strip_prefix("{\n").expect("an object with fields has a line each");
-    let ([before, behind], fields) = (FRAME, format!("{fields}\n"));
-    format!("{before}{}{behind}{fields}", checksum(fields.as_bytes()))
+    FRAME.around(&format!("{fields}\n"), b"")
 }
 
 /// Whether a text is as [`sealed`] made it.
 pub(super) fn is_whole(text: &[u8]) -> bool {
-    split(text, FRAME).is_some_and(|(sum, fields)| checksum(fields).as_bytes() == sum)
+    FRAME.text(text, b"").is_some()
 }
 
 #[cfg(test)]
