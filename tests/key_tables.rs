@@ -46,7 +46,8 @@ fn table(keys: &[&Key], sets: &[(&str, Table)]) -> String {
         text += &format!(
             "| `{name}` | {unit} |{values} {} | {}{others} |\n",
             allowed(key),
-            key.meaning_in_markdown()
+            // A bar would end the cell.
+            key.meaning_and_place().replace('|', "\\|")
         );
     }
     text

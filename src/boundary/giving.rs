@@ -18,7 +18,6 @@
 //!
 //! At a bed beside a moving wall velocities are relative to the wall: see `alongside.rs`. At the
 //! edge of the water they are relative to the water's own: see `smooth.rs`.
-//! `alongside.rs`. At the edge of the water they are relative to the water's own: see `smooth.rs`.
 
 use std::marker::PhantomData;
 

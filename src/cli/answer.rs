@@ -9,7 +9,7 @@ use crate::math::lists::{different, ends};
 use crate::math::words::counted;
 use crate::quantities::heading;
 use crate::quantities::summary::{CASE_ID, DOUBTFUL};
-use crate::report::find::{Basis, Boundary, Found, Reading, Verdict};
+use crate::report::find::{Basis, Boundary, Found, Number, Verdict};
 use crate::report::load::Loaded;
 use crate::report::study::Key;
 use crate::report::{as_typed_to, digits_apart};
@@ -171,14 +171,14 @@ impl<'a> Answer<'a> {
 }
 
 /// A case's number for people.
-fn reading(reading: Reading) -> String {
+fn reading(reading: Number) -> String {
     match reading {
         // Counts, such as steps and particles.
-        Reading::Value { value, bar: None, bound: false } if value.fract() == 0.0 => {
+        Number::Value { value, bar: None, bound: false } if value.fract() == 0.0 => {
             value.to_string()
         }
-        Reading::Value { value, bar, bound } => with_marks(value, bar, bound),
-        Reading::Missing | Reading::Failed => "-".to_owned(),
+        Number::Value { value, bar, bound } => with_marks(value, bar, bound),
+        Number::Missing | Number::Failed => "-".to_owned(),
     }
 }
 

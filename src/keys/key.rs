@@ -97,11 +97,6 @@ impl Key {
         text
     }
 
-    /// The same for a cell of a table, which a bar would end.
-    pub fn meaning_in_markdown(&self) -> String {
-        self.meaning_and_place().replace('|', "\\|")
-    }
-
     /// Its allowed values.
     pub fn allowed_in_words(&self) -> String {
         let whole = if (self.shape)() == Shape::Whole { ", whole" } else { "" };

@@ -54,10 +54,13 @@ pub fn distinct<'a>(rows: impl Iterator<Item = &'a Row>, column: &Column) -> Vec
 
 /// At most `most` of the items, evenly spread, with both ends.
 pub fn spread<T: Clone>(items: &[T], most: usize) -> Vec<T> {
-    let count = items.len().min(most);
-    let last = items.len().saturating_sub(1);
-    let at = |index: usize| (index * last + (count - 1) / 2) / (count - 1).max(1);
-    (0..count).map(|index| items[at(index)].clone()).collect()
+    spread_places(items.len(), most).map(|place| items[place].clone()).collect()
+}
+
+/// The places of those.
+pub fn spread_places(all: usize, most: usize) -> impl Iterator<Item = usize> {
+    let (count, last) = (all.min(most), all.saturating_sub(1));
+    (0..count).map(move |index| (index * last + (count - 1) / 2) / (count - 1).max(1))
 }
 
 /// The variants of a sweep in the order of their first row. Usually there is one, without a name.

@@ -86,12 +86,6 @@ impl Manager {
         self.unfinished
     }
 
-    /// Trunks that are running or whose checkpoint is held.
-    #[cfg(test)]
-    fn open_trunks(&self) -> usize {
-        self.open
-    }
-
     /// Takes an event and appends what follows from it.
     pub fn on(&mut self, event: Event, commands: &mut Vec<Command>) {
         let first = match event {

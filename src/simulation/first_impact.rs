@@ -17,7 +17,7 @@ const SHORT: f64 = 0.0175;
 
 /// One step's readings, non-dimensional: F*, R*, X*, and the wall's count of stops.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Reading {
+pub struct StepReading {
     /// Seconds since the paddle's start.
     pub time: f64,
     /// F*.
@@ -162,7 +162,7 @@ impl FirstImpact {
     }
 
     /// Takes a step's R*. Ends the impact at a stop.
-    pub fn push_motion(&mut self, reading: &Reading) {
+    pub fn push_motion(&mut self, reading: &StepReading) {
         if !self.is_under_way() {
             return;
         }

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::blows::{Acoustics, Blows, Hit};
-use super::first_impact::{FirstImpact, Reading};
+use super::first_impact::{FirstImpact, StepReading};
 use super::outcome::Maximum;
 use super::quiet_force::{Push, Quiet, QuietForce};
 use super::quiet_travel::{Mount, QuietTravel};
@@ -79,11 +79,11 @@ impl Measures {
     /// wall's mount. Forces in the sound of an impact on the stop do not count.
     pub fn push(
         &mut self,
-        reading: Reading,
+        reading: StepReading,
         compression: Option<Compression>,
         mount: Option<Mount>,
     ) {
-        let Reading { time, force, runup, displacement, stops } = reading;
+        let StepReading { time, force, runup, displacement, stops } = reading;
         let stopped = stops != self.stops;
         (self.last, self.stops) = ([force, runup, displacement], stops);
         Maximum::raise(&mut self.runup, runup, time);

@@ -2,7 +2,7 @@
 
 use super::energy::WaterEnergy;
 use super::failure::{Failure, FailureKind};
-use super::first_impact::Reading;
+use super::first_impact::StepReading;
 use super::health::Vitals;
 use super::looks::{next, passed};
 use super::outcome::{EnergyBudget, HistoryRow};
@@ -27,7 +27,7 @@ const SHALLOW: f64 = 3.0;
 impl Run {
     /// Takes a step's reading, and the wave gauge's if it is due, before the wall moves. The force
     /// on the wall is in N per metre of width, the wall's acceleration in m/s².
-    pub(super) fn read(&mut self, (force, acceleration): (f64, f64)) -> Reading {
+    pub(super) fn read(&mut self, (force, acceleration): (f64, f64)) -> StepReading {
         let Run { tank, logbook, clock, lens, bed, tongue, .. } = self;
         let (frame, depth) = (tank.frame, tank.frame.depth);
         let at_wall = tank.water.level_at(Place::Right.number());
@@ -50,7 +50,7 @@ impl Run {
         let runup = bed.map_or(runup, |bed| logbook.level.over_dry(runup, [at_wall, depth], bed));
         // Where water is about to go over the crest, it is as high as the crest.
         let runup = top.map_or(runup, |top| runup.min(top.max(at_wall) - logbook.level.at_rest()));
-        let reading = Reading {
+        let reading = StepReading {
             time: clock.time,
             force: force / tank.static_force,
             // Without gravity there is no level. A gap in a box full of water is none.
@@ -126,7 +126,7 @@ impl Run {
 
     /// Reads the pressures along the wall, and the moment about its foot. The moment is that of the
     /// force, with the arm from the pressures. The wall's acceleration is in m/s².
-    fn press(&mut self, reading: &Reading, acceleration: f64) {
+    fn press(&mut self, reading: &StepReading, acceleration: f64) {
         let Run { tank, logbook, pressed, .. } = self;
         let wall = Place::Right.number();
         if tank.water.walls().bodies.len() <= wall {
@@ -148,7 +148,7 @@ impl Run {
     }
 
     /// Takes a sample of history and probes; `bodies` are the present motions.
-    pub(super) fn sample(&mut self, reading: &Reading, bodies: &Motions) {
+    pub(super) fn sample(&mut self, reading: &StepReading, bodies: &Motions) {
         let Run { tank, logbook, clock, .. } = self;
         let (time, depth) = (reading.time, tank.frame.depth);
         let interval = tank.frame.history_interval;
@@ -180,7 +180,7 @@ impl Run {
     /// The wall is too far away.
     pub(super) fn look(
         &mut self,
-        reading: &Reading,
+        reading: &StepReading,
         bodies: &Motions,
         (force, acceleration): (f64, f64),
     ) -> Result<(), Failure> {

@@ -97,7 +97,7 @@ impl Prospect {
 #[cfg(test)]
 mod tests {
     use super::super::blows::Acoustics;
-    use super::super::first_impact::Reading;
+    use super::super::first_impact::StepReading;
     use super::*;
 
     const WATER: Acoustics =
@@ -108,7 +108,7 @@ mod tests {
         let mut measures = Measures::new([1.1; 2], WATER, None, 0);
         for k in 0..2000 {
             let bell = (-(f64::from(k) * 0.005 - 3.0).powi(2)).exp();
-            let reading = Reading {
+            let reading = StepReading {
                 time: f64::from(k) * 0.005,
                 force: 1.0 + bell,
                 runup: 0.5 * bell,
@@ -184,7 +184,7 @@ mod tests {
         let mut measures = Measures::new([1.1; 2], WATER, None, 0);
         for k in 0..200 {
             let time = 0.005 * f64::from(k);
-            let reading = Reading { time, force: 1.6, runup: 0.3, displacement: 0.0, stops: 0 };
+            let reading = StepReading { time, force: 1.6, runup: 0.3, displacement: 0.0, stops: 0 };
             measures.push(reading, None, None);
         }
         assert!(!Prospect::of(0.0, None).leaves(&measures));

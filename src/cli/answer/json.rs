@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use super::Answer;
-use crate::report::find::{Boundary, Reading, Verdict};
+use crate::report::find::{Boundary, Number, Verdict};
 
 impl Answer<'_> {
     /// The answer for programs.
@@ -31,11 +31,11 @@ impl Answer<'_> {
     }
 
     fn case(&self, row: usize) -> Value {
-        let value = |reading: Reading| match reading {
-            Reading::Value { value, bar, bound } => {
+        let value = |reading: Number| match reading {
+            Number::Value { value, bar, bound } => {
                 json!({ "value": value, "error": bar, "bound": bound })
             }
-            Reading::Missing | Reading::Failed => Value::Null,
+            Number::Missing | Number::Failed => Value::Null,
         };
         let subjects = self.found.condition.0.iter().map(|comparison| &comparison.subject);
         let values: Map<_, _> =

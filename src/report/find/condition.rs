@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::subject::{Reading, Subject, flag};
+use super::subject::{Number, Subject, flag};
 use crate::math::decimal;
 use crate::report::load::Loaded;
 
@@ -94,7 +94,7 @@ impl Operator {
 impl Comparison {
     /// Whether a case meets it. For a lower bound the true value may be anything above.
     pub fn verdict(&self, row: usize) -> Verdict {
-        let Reading::Value { value, bound, .. } = self.subject.readings[row] else {
+        let Number::Value { value, bound, .. } = self.subject.readings[row] else {
             return Verdict::Unknown;
         };
         match self.operator.holds(value, self.limit) {
@@ -108,7 +108,7 @@ impl Comparison {
     pub fn is_near(&self, row: usize) -> bool {
         match self.subject.readings[row] {
             _ if self.operator == Operator::Equal => false,
-            Reading::Value { value, bar: Some(bar), .. } => (value - self.limit).abs() <= bar,
+            Number::Value { value, bar: Some(bar), .. } => (value - self.limit).abs() <= bar,
             _ => false,
         }
     }

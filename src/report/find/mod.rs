@@ -7,7 +7,7 @@ mod subject;
 mod tests;
 
 pub use condition::{Comparison, Condition, Verdict};
-pub use subject::{Reading, Subject};
+pub use subject::{Number, Subject};
 
 use serde::Serialize;
 
@@ -96,10 +96,10 @@ impl Found {
             let unknown = comparison.verdict(row) == Verdict::Unknown;
             unknown.then_some(comparison.subject.readings[row])
         });
-        match readings.max_by_key(|reading| matches!(reading, Reading::Failed)) {
-            Some(Reading::Failed) | None => "failed",
-            Some(Reading::Missing) => "has no such value",
-            Some(Reading::Value { .. }) => "a lower bound, short of the limit",
+        match readings.max_by_key(|reading| matches!(reading, Number::Failed)) {
+            Some(Number::Failed) | None => "failed",
+            Some(Number::Missing) => "has no such value",
+            Some(Number::Value { .. }) => "a lower bound, short of the limit",
         }
     }
 }

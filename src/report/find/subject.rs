@@ -12,7 +12,7 @@ pub struct Subject {
     /// Its name in the summary.
     pub name: String,
     /// Its number in each row.
-    pub readings: Vec<Reading>,
+    pub readings: Vec<Number>,
     /// Whether its values are `true`, read as 1, and `false`, read as 0.
     pub is_flag: bool,
 }
@@ -24,7 +24,7 @@ pub(super) fn flag(text: &str) -> Option<f64> {
 
 /// A case's number.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Reading {
+pub enum Number {
     /// A value, with its error bar where it has one; the true value may lie above a bound.
     Value {
         /// The number.
@@ -63,9 +63,9 @@ impl Subject {
                 (.., maximum) => maximum.and_then(|maximum| row.time(maximum)),
             };
             match value {
-                Some(value) => Reading::Value { value, bar, bound },
-                None if row.is_ok() => Reading::Missing,
-                None => Reading::Failed,
+                Some(value) => Number::Value { value, bar, bound },
+                None if row.is_ok() => Number::Missing,
+                None => Number::Failed,
             }
         };
         let is_flag = column.is_some_and(Column::is_flag)
@@ -85,7 +85,7 @@ impl Subject {
     /// A case's value, unless it is a bound.
     pub fn exact(&self, row: usize) -> Option<f64> {
         match self.readings[row] {
-            Reading::Value { value, bound: false, .. } => Some(value),
+            Number::Value { value, bound: false, .. } => Some(value),
             _ => None,
         }
     }
@@ -93,7 +93,7 @@ impl Subject {
     /// A case's error bar.
     pub fn bar(&self, row: usize) -> Option<f64> {
         match self.readings[row] {
-            Reading::Value { bar, .. } => bar,
+            Number::Value { bar, .. } => bar,
             _ => None,
         }
     }

@@ -18,7 +18,7 @@ use crate::report::row::Row;
 const FROM_S: f64 = 1.5;
 
 /// The curves and marks of one panel.
-struct Strip {
+struct Panel {
     curves: Vec<Curve>,
     heights: Vec<f64>,
 }
@@ -93,10 +93,10 @@ fn strip(
     words: &[String],
     name: &str,
     law: Option<f64>,
-) -> Result<Strip, ReportError> {
+) -> Result<Panel, ReportError> {
     let looks = looks(words);
     let first = laws(cases.iter().map(|(_, row)| *row)).into_iter().next().flatten();
-    let mut strip = Strip { curves: Vec::new(), heights: Vec::new() };
+    let mut strip = Panel { curves: Vec::new(), heights: Vec::new() };
     let mut marks: Vec<Curve> = Vec::new();
     for (((data, row), word), look) in cases.iter().zip(words).zip(looks) {
         if !stands(row, law) {

@@ -126,7 +126,7 @@ fn simulate(plan: &Plan, capacities: &[usize], trouble: &Trouble, dice: &mut Dic
     assert!(link.running.is_empty());
     if !link.cancelled {
         assert_eq!(manager.unfinished(), 0);
-        assert_eq!(manager.open_trunks(), 0);
+        assert_eq!(manager.open, 0, "trunks that run or whose checkpoint is held");
         assert!(link.checkpoints.is_empty(), "left over: {:?}", link.checkpoints);
     }
     link

@@ -5,9 +5,9 @@ use crate::pairs::{Eight, Field, Here, Near, Neighbour, Other, Pair, Real, Term}
 
 /// Σ_j V_j u_j ∇_iW_ij, of Liang et al. 2017, Eq. 5: along x and y, of u and of v.
 #[derive(Clone, Copy)]
-struct Flow;
+struct Divergence;
 
-impl Term for Flow {
+impl Term for Divergence {
     type Own<R: Real> = ();
     type Sum<R: Real> = [R; 4];
     type Total = [Eight; 4];
@@ -40,7 +40,7 @@ pub(super) fn divergence(
     found: &mut [f64],
     of: impl Fn(usize, f64) -> f64 + Sync,
 ) {
-    near.sum(Flow, Field(found), |i, [ux, uy, vx, vy]| {
+    near.sum(Divergence, Field(found), |i, [ux, uy, vx, vy]| {
         let ([sx, sy], [lxx, lxy, lyy], [u, v]) =
             (operators.sway[i], operators.correction[i], own[i]);
         let divergence =
@@ -56,7 +56,7 @@ pub(super) fn strain(
     own: &[[f64; 2]],
     (strain, divergence): (&mut [[f64; 2]], &mut [f64]),
 ) {
-    near.sum(Flow, (Field(strain), Field(divergence)), |i, [ux, uy, vx, vy]| {
+    near.sum(Divergence, (Field(strain), Field(divergence)), |i, [ux, uy, vx, vy]| {
         let ([sx, sy], [xx, xy, yy], [u, v]) = (operators.sway[i], operators.correction[i], own[i]);
         let [ux, uy] = [ux - sx * u, uy - sy * u];
         let [vx, vy] = [vx - sx * v, vy - sy * v];

@@ -9,7 +9,7 @@ fn feed(thresholds: [f64; 2], at: impl Fn(f64) -> ([f64; 3], u32)) -> Measures {
     for k in 0..4000 {
         let time = 0.001 * f64::from(k);
         let ([force, runup, x], stops) = at(time);
-        measures.push(Reading { time, force, runup, displacement: x, stops }, None, None);
+        measures.push(StepReading { time, force, runup, displacement: x, stops }, None, None);
     }
     measures
 }
@@ -126,7 +126,7 @@ fn struck(farthest: f64, speed: f64) -> Measures {
         };
         let force = 1.0 + bell(time, 1.0, 1.0) + sound;
         let stops = u32::from(time >= 1.5);
-        measures.push(Reading { time, force, runup: 0.0, displacement, stops }, None, None);
+        measures.push(StepReading { time, force, runup: 0.0, displacement, stops }, None, None);
         if k == 1499 {
             measures.hit(time, 0.001, speed);
         }
@@ -164,7 +164,7 @@ fn an_impulse_reaches_up_to_the_blow_that_ends_it() {
             let (time, stopped) = (0.001 * f64::from(k), k > 1250);
             let displacement = if stopped { 0.0 } else { 0.3 };
             let (force, stops) = (force(time), u32::from(stopped));
-            let reading = Reading { time, force, runup: 0.2, displacement, stops };
+            let reading = StepReading { time, force, runup: 0.2, displacement, stops };
             measures.push(reading, None, None);
             if k == 1250 {
                 measures.hit(time, 0.001, 0.5);

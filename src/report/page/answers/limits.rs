@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use crate::math::lists::counts;
 use crate::math::words::{capitalised, counted};
-use crate::report::curves::spread;
+use crate::report::curves::spread_places;
 use crate::report::load::Loaded;
 use crate::report::scene_file::SceneFile;
 use crate::scene::limits;
@@ -18,8 +18,8 @@ const READ: usize = 20;
 /// reached, or the files do not tell.
 pub fn known(data: &Loaded, file: Option<&SceneFile>) -> Option<String> {
     let file = file?;
-    let places: Vec<usize> = (0..data.rows.len()).collect();
-    let places = spread(&places, if file.reads_strokes() { READ } else { LOOKED_AT });
+    let most = if file.reads_strokes() { READ } else { LOOKED_AT };
+    let places: Vec<usize> = spread_places(data.rows.len(), most).collect();
     let of = |&place: &usize| Some(limits(&file.config(data, place)?));
     let cases: Vec<_> = places.par_iter().filter_map(of).collect();
     let all = cases.len();

@@ -7,7 +7,7 @@ use crate::keys::number as read;
 use crate::math::lists::rising;
 use crate::math::words::{capitalised, listed};
 use crate::report::config::{each_config, oddities};
-use crate::report::curves::spread;
+use crate::report::curves::spread_places;
 use crate::report::load::Loaded;
 use crate::report::page::words::range;
 use crate::scene::{Kind, scene_keys};
@@ -21,8 +21,7 @@ const UNSAID: [&str; 2] = ["kind", "history_interval_s"];
 /// Every scene key that is on and was not swept, with its value; `None` where the files do not hold
 /// it.
 pub fn shared(data: &Loaded) -> Option<String> {
-    let places: Vec<usize> = (0..data.rows.len()).collect();
-    let configs = each_config(data, spread(&places, LOOKED_AT).into_iter());
+    let configs = each_config(data, spread_places(data.rows.len(), LOOKED_AT));
     let scenes: Vec<Table> = configs.flatten().map(|config| config.scene).collect();
     let kind = scenes.first()?.get("kind")?.as_str()?.to_owned();
     let kind = Kind::ALL.iter().find(|one| one.name() == kind)?;
@@ -36,8 +35,7 @@ pub fn shared(data: &Loaded) -> Option<String> {
 /// What looks like a slip in the scene, in the words of `seawall check`. Someone who gets only the
 /// page has not read them. `None` where nothing does.
 pub fn odd(data: &Loaded) -> Option<String> {
-    let places: Vec<usize> = (0..data.rows.len()).collect();
-    let told = oddities(data, spread(&places, LOOKED_AT).into_iter());
+    let told = oddities(data, spread_places(data.rows.len(), LOOKED_AT));
     (!told.is_empty()).then(|| format!("{}.", told.join(". ")))
 }
 
