@@ -48,7 +48,7 @@ pub use error::{ConfigError, cut, hint, shortened};
 pub use given::{check_conditions, read_alone};
 pub use given_file::bytes_of;
 pub use key::{Key, number};
-pub use overrides::{Override, read_value};
+pub use overrides::{Override, read_value, with_settings};
 pub use rule::{Range, Rule, When, plain, unit};
 pub use schema::schema;
 pub(crate) use section::section;

@@ -56,6 +56,13 @@ pub fn read_value(text: &str) -> Value {
     }
 }
 
+/// A file's text with these settings of the command line; `None` where it cannot be read.
+pub fn with_settings(text: &str, sets: &[Override]) -> Option<Table> {
+    let mut file = text.parse().ok()?;
+    sets.iter().try_for_each(|set| set.apply(&mut file)).ok()?;
+    Some(file)
+}
+
 impl Override {
     /// The path as written, such as `numerics.boundary`.
     pub fn path(&self) -> String {

@@ -6,7 +6,7 @@ use std::path::Path;
 use toml::{Table, Value};
 
 use super::manifest::Manifest;
-use crate::keys::{Override, alike, number, shortened};
+use crate::keys::{Override, alike, number, shortened, with_settings};
 use crate::study::{GridAxis, PHYSICS_VERSION, Study};
 
 /// The first difference in words: the physics version, a key of the two files with the settings of
@@ -39,13 +39,6 @@ pub(super) fn difference(directory: &Path, study: &Study) -> Option<String> {
     let [then, now] = [there.max_error_percent, study.max_error_percent].map(told);
     let aim = (then != now).then(|| format!("it was made {then}, this one {now}"));
     in_files.or(aim)
-}
-
-/// A file with the settings of the command line; `None` where it cannot be read.
-fn with_settings(text: &str, sets: &[Override]) -> Option<Table> {
-    let mut file = text.parse().ok()?;
-    sets.iter().try_for_each(|set| set.apply(&mut file)).ok()?;
-    Some(file)
 }
 
 /// Keys that are not part of a study's identity.
