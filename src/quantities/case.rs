@@ -2,7 +2,6 @@
 
 use crate::scene::{CaseConfig, Scheme, SeawallScene};
 use crate::simulation::{Maximum, Outcome};
-use crate::theory::hydrostatics::wall_force;
 
 /// Fewer rows of particles over the depth are coarse.
 const ROWS: f64 = 10.0;
@@ -124,11 +123,7 @@ impl Case<'_> {
         let scene = self.movable()?;
         let farthest = self.outcome?.displacement_max?;
         let depth = scene.still_water_depth_m;
-        let unit = wall_force(
-            scene.force_depth_m(),
-            scene.water_density_kg_per_m3,
-            scene.gravity_m_per_s2,
-        );
+        let unit = self.config.scene.force_unit_n_per_m();
         let value = scene.spring_stiffness_n_per_m? * farthest.value * depth / unit;
         Some(Maximum { value, ..farthest })
     }

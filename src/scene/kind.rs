@@ -160,6 +160,16 @@ impl Scene {
         each!(self, scene => scene.frame())
     }
 
+    /// The depth that scales F*, metres: that at a seawall, or the still water's if it stands dry.
+    pub fn force_depth_m(&self) -> f64 {
+        self.seawall().map_or_else(|| self.frame().depth, SeawallScene::force_depth_m)
+    }
+
+    /// What F* is over, N/m.
+    pub fn force_unit_n_per_m(&self) -> f64 {
+        self.frame().static_force(self.force_depth_m())
+    }
+
     /// Fluid particles.
     pub fn particles(&self, numerics: &Numerics) -> usize {
         each!(self, scene => scene.particles(numerics))
@@ -195,5 +205,19 @@ impl Scene {
             }
             _ => Ok(()),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::CaseConfig;
+
+    /// The story: vortices have no gravity, and their F* is over ρU² times the side. The page told
+    /// half of their force in newtons.
+    #[test]
+    fn a_force_without_gravity_has_a_scale_of_its_own() {
+        let scene = "kind = \"taylor-green\"\nspeed_m_per_s = 0.7\nbox_side_m = 0.5";
+        let unit = CaseConfig::of(scene, "").scene.force_unit_n_per_m();
+        assert!((unit - 1000.0 * 0.49 * 0.5).abs() < 1e-9, "{unit}");
     }
 }
