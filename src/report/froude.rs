@@ -3,14 +3,10 @@
 
 use std::str::FromStr;
 
-use toml::Value;
-
-use super::config::{Config, each_config};
 use super::error::ReportError;
 use super::load::Loaded;
 use super::row::Row;
 use super::tables::Table;
-use crate::keys::number;
 use crate::quantities::Column;
 use crate::quantities::summary::{
     CASE_ID, CREST_SPEED, CREST_THICKNESS, DISPLACEMENT_ERROR, DISPLACEMENT_MAX,
@@ -19,7 +15,7 @@ use crate::quantities::summary::{
     MOMENT_MAX_ERROR, OVERTOPPING_DISCHARGE, OVERTOPPING_VOLUME, OVERTOPPING_VOLUME_ERROR,
     RISE_TIME, RUNUP_ERROR, RUNUP_MAX, RUNUP_MAX_ERROR, SPRING_FORCE_MAX,
 };
-use crate::theory::hydrostatics::wall_force;
+use crate::scene::{Frame, Scene};
 
 /// The length of the prototype over that of the tank.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -47,29 +43,21 @@ struct Scaled {
 
 /// The tank's scales, in SI units.
 struct Water {
-    /// Density times gravity.
-    weight: f64,
     gravity: f64,
-    /// Depth of the still water, and depth at the wall, which scales forces.
+    /// Depth of the still water, and the depth that scales forces.
     depth: f64,
-    at_wall: f64,
+    force_depth: f64,
+    /// Newtons per metre for F* = 1.
+    force: f64,
 }
 
 impl Water {
-    /// From a case's scene; `None` where it is no seawall.
-    fn of(case: &Config) -> Option<Water> {
-        let value = |key| case.value(key);
-        let (depth, gravity) = (value("still_water_depth_m")?, value("gravity_m_per_s2")?);
-        let bed = case.scene.get("bed").and_then(Value::as_array).and_then(|points| points.last());
-        let toe = bed.and_then(Value::as_array).and_then(|point| number(point.get(1)?));
-        let at_wall = Some(depth - toe.unwrap_or(0.0)).filter(|depth| *depth > 0.0);
-        let weight = gravity * value("water_density_kg_per_m3")?;
-        Some(Water { weight, gravity, depth, at_wall: at_wall.unwrap_or(depth) })
-    }
-
-    /// Newtons per metre for F* = 1.
-    fn force(&self) -> f64 {
-        wall_force(self.at_wall, self.weight, 1.0)
+    /// From a case's scene; `None` where it has no still water.
+    fn of(scene: &Scene) -> Option<Water> {
+        scene.entry("still_water_depth_m")?;
+        let Frame { gravity, depth, .. } = scene.frame();
+        let (force, force_depth) = (scene.force_unit_n_per_m(), scene.force_depth_m());
+        Some(Water { gravity, depth, force_depth, force })
     }
 }
 
@@ -77,7 +65,7 @@ const KILO: f64 = 1e-3;
 
 /// A force in kilonewtons per metre.
 const fn force(column: &'static Column, name: &'static str) -> Scaled {
-    Scaled { column, name, unit: |water| KILO * water.force(), power: 2.0 }
+    Scaled { column, name, unit: |water| KILO * water.force, power: 2.0 }
 }
 
 /// A length in metres.
@@ -87,7 +75,7 @@ const fn length(column: &'static Column, name: &'static str) -> Scaled {
 
 /// A moment in kilonewton metres per metre.
 const fn moment(column: &'static Column, name: &'static str) -> Scaled {
-    Scaled { column, name, unit: |water| KILO * water.force() * water.at_wall / 3.0, power: 3.0 }
+    Scaled { column, name, unit: |water| KILO * water.force * water.force_depth / 3.0, power: 3.0 }
 }
 
 /// A quantity that keeps its unit.
@@ -103,7 +91,7 @@ const SCALED: [Scaled; 14] = [
     Scaled {
         column: &FIRST_IMPULSE,
         name: "first_impulse_kn_s_per_m",
-        unit: |water| KILO * water.force() * (water.depth / water.gravity).sqrt(),
+        unit: |water| KILO * water.force * (water.depth / water.gravity).sqrt(),
         power: 2.5,
     },
     Scaled { column: &RISE_TIME, name: "rise_time_s", unit: |_| 1.0, power: 0.5 },
@@ -146,9 +134,10 @@ impl Froude {
     /// the directory does not hold the scenes of its cases.
     pub fn tables(self, data: &Loaded) -> Result<Vec<Table>, ReportError> {
         let (mut maxima, mut envelope) = (Vec::new(), Vec::new());
-        let all = data.rows.iter().zip(each_config(data, 0..data.rows.len()));
-        for (row, config) in all.filter(|(row, _)| row.is_ok()) {
-            let Some(water) = config.as_ref().and_then(Water::of) else { continue };
+        let water = |place| Water::of(&data.case(place)?.scene);
+        let waters = data.in_blocks(data.placed().map(|(place, _)| place), water);
+        for (row, water) in data.finished().zip(waters) {
+            let Some(water) = water else { continue };
             let head = || [row.id().to_owned(), row.words(), self.words()].into_iter();
             let pressed = data.envelope(row.id())?;
             let most = pressed.iter().map(|at| at.pressure_max_pa).max_by(f64::total_cmp);

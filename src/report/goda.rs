@@ -1,11 +1,9 @@
 //! Goda's formula beside the force of each case on an upright wall. The scene gives the depth at
 //! the wall, a crest and regular waves.
 
-use toml::{Table, Value};
-
 use super::load::Loaded;
 use super::row::Row;
-use crate::keys::{Section, number, read_value};
+use crate::body::WaveTrainKeys;
 use crate::quantities::summary::{
     FIRST_FORCE_MAX, FORCE_MAX, MEASURED_WAVE_HEIGHT_RATIO, WAVE_HEIGHT_RATIO,
 };
@@ -63,68 +61,34 @@ impl Setting {
     }
 }
 
-/// The settings of a study's scenes.
-pub struct Settings<'a> {
-    data: &'a Loaded,
-    /// `[scene]` of the study's file; `None` where the manifest has no file.
-    scene: Option<Table>,
-}
-
-impl<'a> Settings<'a> {
-    /// The settings of this study.
-    pub fn of(data: &'a Loaded) -> Settings<'a> {
-        Settings { data, scene: data.file().map(|file| file.scene) }
+/// The setting of a row's case; `None` where no wave meets an upright wall in still water, or its
+/// scene is not known. Without the study's file it is the plain one.
+pub fn setting_of(data: &Loaded, place: usize) -> Option<Setting> {
+    if !data.rows[place].is_vertical() {
+        return None;
     }
-
-    /// The setting of a row's case; `None` where no wave meets an upright wall in still water.
-    pub fn at(&self, place: usize) -> Option<Setting> {
-        if !self.data.rows[place].is_vertical() {
-            return None;
-        }
-        self.scene_at(place).map_or(Some(Setting::PLAIN), |scene| setting(&scene))
-    }
-
-    /// `[scene]` of a row's case.
-    fn scene_at(&self, place: usize) -> Option<Table> {
-        let mut scene = self.scene.clone()?;
-        for key in &self.data.keys {
-            match &key.cells[place] {
-                "" => drop(scene.remove(&key.name)),
-                cell => drop(scene.insert(key.name.clone(), read_value(cell))),
-            }
-        }
-        Some(scene)
+    match &data.file {
+        None => Some(Setting::PLAIN),
+        Some(_) => setting(data.case(place)?.scene.seawall()?),
     }
 }
 
-fn setting(scene: &Table) -> Option<Setting> {
-    let word = |key: &str| scene.get(key).and_then(Value::as_str);
-    if word("kind").is_some_and(|kind| kind != "seawall") {
-        return None;
-    }
-    let metres = |key: &str| {
-        let key = SeawallScene::keys().into_iter().find(|known| known.name == key)?;
-        scene.get(key.name).cloned().or_else(key.default).as_ref().and_then(number)
+fn setting(scene: &SeawallScene) -> Option<Setting> {
+    let still = scene.still_water_depth_m;
+    let depth = Some(scene.depth_at_wall_m()).filter(|depth| *depth > 0.0)?;
+    let of_period = |keys: &WaveTrainKeys| {
+        let rate = std::f64::consts::TAU / keys.wave_period_s;
+        travelling(rate * rate * depth / scene.gravity_m_per_s2)
     };
-    let still = metres("still_water_depth_m")?;
-    let heights = scene.get("bed").and_then(Value::as_array).into_iter().flatten();
-    let heights = heights.map(|point| number(point.get(1)?)).collect::<Option<Vec<_>>>()?;
-    let depth = still - heights.last().unwrap_or(&0.0);
-    if depth <= 0.0 {
-        return None;
-    }
-    let of_period = |period: f64| {
-        let rate = std::f64::consts::TAU / period;
-        Some(travelling(rate * rate * depth / metres("gravity_m_per_s2")?))
-    };
-    let period = metres("wave_period_s").filter(|_| word("paddle") == Some("wave-train"));
-    let crest = word("behind").is_some_and(|behind| behind != "nothing");
-    let freeboard = metres("crest_freeboard_m").filter(|_| crest);
+    let freeboard = scene.crest.as_ref().map(|crest| crest.crest_freeboard_m / depth);
     Some(Setting {
         depth: depth / still,
-        in_waves: period.and_then(of_period).unwrap_or(0.0),
-        freeboard: freeboard.map_or(f64::INFINITY, |height| height / depth),
-        level: heights.iter().all(|height| *height == 0.0),
+        in_waves: scene.wave_train.as_ref().map_or(0.0, of_period),
+        freeboard: freeboard.unwrap_or(f64::INFINITY),
+        level: scene
+            .bed
+            .as_ref()
+            .is_none_or(|bed| bed.points().iter().all(|point| point[1] == 0.0)),
     })
 }
 
@@ -134,11 +98,10 @@ pub const OVER_GODA: &str = "force_over_goda";
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::study::Key;
-    use serde_json::json;
+    use crate::scene::CaseConfig;
 
     fn of(scene: &str) -> Option<Setting> {
-        setting(&scene.parse().unwrap())
+        setting(CaseConfig::of(scene, "").scene.seawall()?)
     }
 
     #[test]
@@ -160,7 +123,7 @@ mod tests {
         let lower = of(crest).unwrap();
         // The triangle of 0.45 h reaches 0.25 h above the still level: 2 · 0.25 (1 - 0.25/0.9).
         assert!((lower.force(0.3) - 1.0 - 0.33 * (2.0 + 0.361_111_1)).abs() < 1e-6);
-        let train = of("paddle = \"wave-train\"\nwave_period_s = 1.0").unwrap();
+        let train = of("paddle = \"wave-train\"\nwave_period_s = 1.0\nend_time_s = 8").unwrap();
         assert!(train.is_regular() && !train.is_plain());
         // ω² h/g = 0.80486 = kh tanh kh at kh = 1.03651; sinh 2kh = 3.91152, cosh kh = 1.58703.
         let goda = 1.0 + 0.3 * 0.740_439 * (1.0 + 0.630_108 + 0.45);
@@ -170,14 +133,11 @@ mod tests {
     #[test]
     fn a_swept_key_is_that_of_its_row() {
         let beds = ["[[0, 0], [1, 0], [2.5, 0.1]]", "[[0, 0], [1, 0], [2.5, 0.15]]"];
-        let beds = Key::new("bed", beds);
-        let row = || Row::default().with(&FORCE_MAX, 5.828).with(&WAVE_HEIGHT_RATIO, 0.3);
-        let manifest = Some(json!({ "sweep_file": "[scene]\nwave_height_ratio = 0.3" }));
-        let rows = vec![row(), row()];
-        let data = Loaded { rows, manifest, keys: vec![beds], ..Loaded::default() };
-        let settings = Settings::of(&data);
-        let over = settings.at(0).unwrap().over(&data.rows[0]).unwrap();
+        let data =
+            Loaded::swept(&[("bed", &beds)]).made_from("[scene]\nwave_height_ratio = 0.3", &[]);
+        let row = Row::default().with(&FORCE_MAX, 5.828).with(&WAVE_HEIGHT_RATIO, 0.3);
+        let over = setting_of(&data, 0).unwrap().over(&row).unwrap();
         assert!((over - 2.0).abs() < 1e-9, "{over}");
-        assert_ne!(settings.at(0), settings.at(1));
+        assert_ne!(setting_of(&data, 0), setting_of(&data, 1));
     }
 }

@@ -9,12 +9,14 @@ use csv::{ErrorKind, StringRecord};
 use serde::Deserialize;
 use serde_json::Value;
 
+use super::case::chosen;
+use super::column::Cells;
 use super::error::ReportError;
 use super::omitted::Omitted;
 use super::row::{Header, RECORDED, REGULAR, Row};
 use super::study::{Key, StudyFile, keys};
 use super::variant::name_variants;
-use crate::disk::names::{ENERGY, FILMS, MANIFEST, SUMMARY};
+use crate::disk::names::{ENERGY, FILMS, MANIFEST, MAX_ERROR, SUMMARY};
 use crate::keys::number;
 use crate::quantities::{named, summary};
 
@@ -29,6 +31,10 @@ pub struct Loaded {
     pub manifest: Option<Value>,
     /// What was swept, in the grid's order; empty without a manifest.
     pub keys: Vec<Key>,
+    /// The file that the study was made from, with the settings of the command line.
+    pub(super) file: Option<Arc<StudyFile>>,
+    /// The numerics of each row, if they were chosen case by case.
+    pub(super) chosen: Option<Cells>,
     pub(super) directory: PathBuf,
     /// Whether these are only some of the study's rows.
     pub(super) is_part: bool,
@@ -46,7 +52,7 @@ impl Loaded {
         }
         let manifest = read_manifest(&directory.join(MANIFEST));
         let (mut rows, keys) = read_summary(&directory.join(SUMMARY), manifest.as_ref())?;
-        let file = StudyFile::of(manifest.as_ref());
+        let file = StudyFile::of(manifest.as_ref()).map(Arc::new);
         let angle = file.as_ref().and_then(|file| number(file.scene.get("wall_angle_deg")?));
         let paddle = file.as_ref().and_then(|file| file.scene.get("paddle")?.as_str());
         let wall = file.as_ref().and_then(|file| file.scene.get("wall")?.as_str());
@@ -58,18 +64,14 @@ impl Loaded {
             row.regular |= paddle == Some(REGULAR);
             row.unasked = !asks && (row.unasked || paddle == Some(RECORDED));
         }
-        let (directory, omitted) = (directory.to_owned(), Omitted::default());
-        Ok(Loaded { rows, energy, manifest, keys, directory, is_part: false, omitted })
+        let chosen = chosen(&directory.join(MAX_ERROR), &rows);
+        let directory = directory.to_owned();
+        Ok(Loaded { rows, energy, manifest, keys, file, chosen, directory, ..Loaded::default() })
     }
 
     /// The same data, where the files of cases in `omitted` are left out.
     pub fn without(self, omitted: &Omitted) -> Loaded {
         Loaded { omitted: omitted.clone(), ..self }
-    }
-
-    /// The file that the study was made from, with the settings of the command line.
-    pub(super) fn file(&self) -> Option<StudyFile> {
-        StudyFile::of(self.manifest.as_ref())
     }
 
     /// The sweep's name, as its manifest states it.
@@ -101,13 +103,15 @@ impl Loaded {
 
     /// The same data with only the rows at these places.
     pub(super) fn part(&self, places: &[usize]) -> Loaded {
-        let key =
-            |Key { name, cells }: &Key| Key::new(name, places.iter().map(|&place| &cells[place]));
+        let part = |cells: &Cells| places.iter().map(|&place| &cells[place]).collect();
+        let key = |Key { name, cells }: &Key| Key { name: name.clone(), cells: part(cells) };
         Loaded {
             rows: places.iter().map(|&place| self.rows[place].clone()).collect(),
             energy: self.energy.clone(),
             manifest: self.manifest.clone(),
             keys: self.keys.iter().map(key).collect(),
+            file: self.file.clone(),
+            chosen: self.chosen.as_ref().map(part),
             directory: self.directory.clone(),
             is_part: true,
             omitted: self.omitted.clone(),
@@ -136,6 +140,25 @@ impl Loaded {
     /// Rows of cases that failed.
     pub fn failed(&self) -> impl Iterator<Item = &Row> {
         self.rows.iter().filter(|row| !row.is_ok())
+    }
+}
+
+#[cfg(test)]
+impl Loaded {
+    /// Rows with these cells of swept keys.
+    pub fn swept(keys: &[(&str, &[&str])]) -> Loaded {
+        let keys: Vec<_> = keys.iter().map(|(name, cells)| Key::new(name, *cells)).collect();
+        let rows = vec![Row::default(); keys.first().map_or(1, |key| key.cells.iter().len())];
+        Loaded { rows, keys, ..Loaded::default() }
+    }
+
+    /// The same rows as of this sweep file with these settings of the command line.
+    pub fn made_from(self, file: &str, overrides: &[&str]) -> Loaded {
+        let manifest =
+            serde_json::json!({ "name": "a", "sweep_file": file, "overrides": overrides });
+        let manifest = Some(manifest);
+        let file = StudyFile::of(manifest.as_ref()).map(Arc::new);
+        Loaded { manifest, file, ..self }
     }
 }
 

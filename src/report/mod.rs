@@ -5,6 +5,7 @@
 //! a page joins them. The same files give the same bytes.
 
 pub mod accuracy;
+mod case;
 mod column;
 pub mod compare;
 mod config;

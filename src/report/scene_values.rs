@@ -2,7 +2,7 @@
 
 use toml::Value;
 
-use super::config::each_config;
+use super::config::Config;
 use super::load::Loaded;
 use super::number::{as_typed, minus};
 use crate::keys::{Key, alike, number};
@@ -15,8 +15,7 @@ const POINTS: usize = 8;
 /// Name and value of each scene key of a row that is on and not as by default. Swept keys and those
 /// with a column are left out; so is everything where the study's files do not tell it.
 pub fn scene_values(data: &Loaded, row: usize) -> Vec<(String, String)> {
-    let config = each_config(data, std::iter::once(row)).next().flatten();
-    let Some(scene) = config.map(|config| config.scene) else { return Vec::new() };
+    let Some(Config { scene, .. }) = Config::of(data, row) else { return Vec::new() };
     let kind = scene.get("kind").and_then(Value::as_str);
     let kind = Kind::ALL.iter().find(|one| Some(one.name()) == kind).copied();
     let swept = |key: &Key| data.keys.iter().any(|one| one.name == key.name);
@@ -32,8 +31,7 @@ pub fn scene_values(data: &Loaded, row: usize) -> Vec<(String, String)> {
 
 /// What the key `wall` says of a row. None where its scene has no such key, or the study's files do not tell it.
 pub fn wall_of(data: &Loaded, row: usize) -> Option<String> {
-    let config = each_config(data, std::iter::once(row)).next().flatten()?;
-    config.scene.get("wall")?.as_str().map(str::to_owned)
+    data.case(row)?.scene.entry("wall")?.as_str().map(str::to_owned)
 }
 
 /// A value with its unit. A bed is told by its points, if they are few.
@@ -60,13 +58,9 @@ fn point(value: &Value) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::study::Key as Swept;
-    use serde_json::json;
 
     fn told(file: &str, key: &str) -> String {
-        let manifest = Some(json!({ "sweep_file": file, "overrides": [] }));
-        let keys = vec![Swept::new(key, ["0.1"])];
-        let data = Loaded { rows: vec![Default::default()], keys, manifest, ..Loaded::default() };
+        let data = Loaded::swept(&[(key, &["0.1"])]).made_from(file, &[]);
         let told = scene_values(&data, 0).into_iter();
         told.map(|(name, value)| format!("{name}: {value}\n")).collect()
     }

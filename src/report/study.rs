@@ -1,10 +1,14 @@
 //! What the manifest says of the whole study: its swept keys, and the file that it was made from.
 
+use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
+
 use serde_json::Value as Json;
 use toml::{Table, Value};
 
 use super::column::Cells;
-use crate::keys::{Override, Section, When, read_value};
+use crate::body::Stroke;
+use crate::keys::{Override, Section, When, read_value, value_of, with_settings};
 use crate::scene::{Place, SeawallScene, place_of};
 
 /// A swept key and its cell in every row of the summary.
@@ -30,7 +34,7 @@ pub(super) fn keys(manifest: &Json) -> Vec<String> {
 }
 
 /// The sweep file with the settings of the command line.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(super) struct StudyFile {
     /// `[scene]`.
     pub scene: Table,
@@ -42,15 +46,16 @@ pub(super) struct StudyFile {
     pub probes: Vec<Table>,
     /// Whether the numerics were chosen case by case.
     pub aims: bool,
+    /// The time of the first point in each stroke's file, s, by path. Each file is opened once.
+    starts: Mutex<BTreeMap<String, f64>>,
 }
 
 impl StudyFile {
     /// Reads it; `None` where the manifest has no file that can be read.
     pub fn of(manifest: Option<&Json>) -> Option<StudyFile> {
-        let mut file: Table = manifest?.get("sweep_file")?.as_str()?.parse().ok()?;
-        for set in manifest?.get("overrides").and_then(Json::as_array).into_iter().flatten() {
-            set.as_str()?.parse::<Override>().ok()?.apply(&mut file).ok()?;
-        }
+        let sets = manifest?.get("overrides").and_then(Json::as_array).into_iter().flatten();
+        let sets: Option<Vec<Override>> = sets.map(|set| set.as_str()?.parse().ok()).collect();
+        let file = with_settings(manifest?.get("sweep_file")?.as_str()?, &sets?)?;
         let table = |key| file.get(key).and_then(Value::as_table).cloned().unwrap_or_default();
         let probes = file.get("probe").and_then(Value::as_array).into_iter().flatten();
         Some(StudyFile {
@@ -59,7 +64,21 @@ impl StudyFile {
             grid: table("grid"),
             probes: probes.filter_map(Value::as_table).cloned().collect(),
             aims: file.contains_key("accuracy"),
+            starts: Mutex::default(),
         })
+    }
+
+    /// The kind of the scene, as the file states it.
+    pub fn kind(&self) -> Option<&str> {
+        self.scene.get("kind")?.as_str()
+    }
+
+    /// A paddle at rest on the clock of the stroke in a file.
+    pub fn still_stroke(&self, path: &str) -> Option<Value> {
+        let mut starts = self.starts.lock().unwrap_or_else(PoisonError::into_inner);
+        let read = || Stroke::start_of(path).unwrap_or(0.0);
+        let start_s = *starts.entry(path.to_owned()).or_insert_with(read);
+        value_of(&[0.0, 1.0, 2.0].map(|later| [start_s + later, 0.0]))
     }
 
     /// Whether the file gives a key of the scene one value or several.

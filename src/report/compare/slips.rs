@@ -1,14 +1,12 @@
 //! Slips in a record: values that water cannot have, and columns in another unit.
 
-use toml::Value;
-
 use super::{Beside, Held};
-use crate::keys::number;
 use crate::math::decimal::significant;
 use crate::math::lists::ends;
-use crate::report::config::{Config, Gauge, each_config, gauges};
+use crate::report::config::{Gauge, gauges};
 use crate::report::load::Loaded;
 use crate::report::series::at;
+use crate::scene::{Frame, Scene};
 
 /// Water gets no farther than so many depths over still water at a gauge.
 const FARTHEST: f64 = 5.0;
@@ -27,45 +25,32 @@ pub fn slips(data: &Loaded, case_id: &str, held: &Held) -> Vec<String> {
 
 /// What tells whether a value can be. Without a manifest nothing does.
 struct Basin {
-    config: Option<Config>,
+    scene: Option<Scene>,
     gauges: Vec<Gauge>,
 }
 
 impl Basin {
     fn of(data: &Loaded, case_id: &str) -> Basin {
         let row = data.rows.iter().position(|row| row.id() == case_id);
-        let config = each_config(data, row.into_iter()).next().flatten();
-        Basin { config, gauges: gauges(data) }
+        let scene = row.and_then(|row| data.case(row)).map(|case| case.scene);
+        Basin { scene, gauges: gauges(data) }
     }
 
-    fn value(&self, key: &str) -> Option<f64> {
-        self.config.as_ref()?.value(key)
-    }
-
-    fn depth(&self) -> Option<f64> {
-        self.value("still_water_depth_m")
-    }
-
-    /// The weight of water, N/m³.
-    fn weight(&self) -> Option<f64> {
-        Some(self.value("water_density_kg_per_m3")? * self.value("gravity_m_per_s2")?)
+    fn frame(&self) -> Option<Frame> {
+        self.scene.as_ref().map(Scene::frame)
     }
 
     /// The bed through its points, m.
     fn bed(&self) -> Vec<(f64, f64)> {
-        let scene = self.config.as_ref().map(|config| &config.scene);
-        let points = scene.and_then(|scene| scene.get("bed")?.as_array());
-        let point = |point: &Value| {
-            let point = point.as_array()?;
-            Some((number(point.first()?)?, number(point.get(1)?)?))
-        };
-        points.into_iter().flatten().filter_map(point).collect()
+        let bed = self.scene.as_ref().and_then(|scene| scene.seawall()?.bed.as_ref());
+        bed.map_or_else(Vec::new, |bed| bed.points().iter().map(|&[x, y]| (x, y)).collect())
     }
 
     /// The lowest and the highest value that a gauge of the surface can read, m. Behind the bed's
     /// end only the highest is known.
     fn possible(&self, name: &str) -> Option<[f64; 2]> {
-        let (gauge, depth) = (self.gauges.iter().find(|gauge| gauge.name == name)?, self.depth()?);
+        let gauge = self.gauges.iter().find(|gauge| gauge.name == name)?;
+        let depth = self.frame()?.depth;
         let bed = self.bed();
         let ground = if bed.is_empty() { Some(0.0) } else { at(&bed, gauge.x_m?) };
         let lowest = ground.map_or(-FARTHEST * depth, |ground| ground - NOISE * depth);
@@ -78,24 +63,23 @@ impl Basin {
 
     /// What is usual in a unit.
     fn usual(&self, unit: &str) -> Option<f64> {
-        let (depth, gravity) = (self.depth()?, self.value("gravity_m_per_s2")?);
+        let Frame { depth, gravity, density, .. } = self.frame()?;
         match unit {
             "m" => Some(depth),
             "m2" => Some(depth * depth),
             "m/s" => Some((gravity * depth).sqrt()),
             "m2/s" => Some(depth * (gravity * depth).sqrt()),
-            "Pa" => Some(self.weight()? * depth),
+            "Pa" => Some(density * gravity * depth),
             _ => Some(1.0),
         }
     }
 
-    /// Units that a column of this unit may be in by mistake, each with how many of it make one.
-    fn others(&self, unit: &str) -> Vec<(&'static str, f64)> {
-        let (depth, weight) = (self.depth().unwrap_or(1.0), self.weight().unwrap_or(9810.0));
-        let end = self.bed().last().map_or(0.0, |point| point.1);
-        let at_wall = if end < depth { depth - end } else { depth };
-        let force = 0.5 * weight * at_wall * at_wall;
-        match unit {
+    /// Units that a column of this unit may be in by mistake, each with how many of it make one;
+    /// `None` where the study's files do not tell the scene.
+    fn others(&self, unit: &str) -> Option<Vec<(&'static str, f64)>> {
+        let Frame { depth, gravity, density, .. } = self.frame()?;
+        let force = self.scene.as_ref()?.force_unit_n_per_m();
+        Some(match unit {
             "m" => vec![("mm", 1e3), ("cm", 1e2)],
             "m/s" => vec![("mm/s", 1e3), ("cm/s", 1e2)],
             "m2" | "m2/s" => vec![("litres per metre", 1e3)],
@@ -103,14 +87,14 @@ impl Basin {
                 ("kPa", 1e-3),
                 ("mbar", 1e-2),
                 ("bar", 1e-5),
-                ("metres of water", 1.0 / weight),
+                ("metres of water", 1.0 / (density * gravity)),
             ],
             "½ρgh²" => {
                 vec![("N per metre of wall", force), ("kN per metre of wall", 1e-3 * force)]
             }
             "h" => vec![("mm", 1e3 * depth), ("cm", 1e2 * depth), ("m", depth)],
             _ => Vec::new(),
-        }
+        })
     }
 
     /// What looks like a slip in a column.
@@ -168,7 +152,7 @@ impl Basin {
     /// The unit that a column is likely to be in.
     fn unit(&self, column: &Beside, ratio: f64) -> String {
         let far = |times: f64| libm::log10(ratio / times).abs();
-        let mut near = self.others(&column.unit);
+        let mut near = self.others(&column.unit).unwrap_or_default();
         near.retain(|(_, times)| far(*times) < 0.5);
         let nearest = near.iter().min_by(|a, b| far(a.1).total_cmp(&far(b.1)));
         let name = nearest.map_or("another unit", |(name, _)| name);
@@ -179,24 +163,16 @@ impl Basin {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::study::Key;
-    use serde_json::json;
 
     const FLUME: &str = "name = \"a\"\n[scene]\nstill_water_depth_m = 0.3\n\
         bed = [[0, 0], [1, 0], [2, 0.15], [2.5, 0.15]]\n\
         [[probe]]\nname = \"W\"\nkind = \"elevation\"\nx_m = 2.2\n\
         [[probe]]\nname = \"L\"\nkind = \"level\"\nx_m = 0.5\n[grid]";
 
-    /// What is told of a column of this unit, whose largest computed value is the first.
-    fn told(name: &str, unit: &str, computed: f64, measured: &[f64]) -> Option<String> {
-        let data = Loaded {
-            manifest: Some(json!({ "sweep_file": FLUME })),
-            keys: vec![Key::new("wave_height_ratio", ["0.3"])],
-            rows: vec![Default::default()],
-            ..Loaded::default()
-        };
+    /// A column of this unit, whose largest computed value is the first.
+    fn column(name: &str, unit: &str, computed: f64, measured: &[f64]) -> Beside {
         let measured = measured.iter().enumerate();
-        let column = Beside {
+        Beside {
             name: name.to_owned(),
             unit: unit.to_owned(),
             axis: (String::new(), 1.0),
@@ -204,8 +180,12 @@ mod tests {
             computed: vec![(0.0, 0.0), (1.0, computed)],
             gaps: Default::default(),
             rms: 0.0,
-        };
-        Basin::of(&data, "").slip(&column)
+        }
+    }
+
+    fn told(name: &str, unit: &str, computed: f64, measured: &[f64]) -> Option<String> {
+        let data = Loaded::swept(&[("wave_height_ratio", &["0.3"])]).made_from(FLUME, &[]);
+        Basin::of(&data, "").slip(&column(name, unit, computed, measured))
     }
 
     /// The story: gauges in millimetres were 89 m high in 0.3 m of water, and 0.1 % off.
@@ -246,5 +226,13 @@ mod tests {
         assert_eq!(unit("Pa", 2600.0, 400.0), None);
         assert_eq!(unit("Pa", 0.001, 30.0), None, "noise of a gauge that stays dry");
         assert_eq!(unit("m", 0.0, 0.1), None);
+    }
+
+    /// The story: a study whose scene was not known had water a metre deep, and a unit was named by it.
+    #[test]
+    fn no_unit_is_named_without_the_scene() {
+        let force = column("force", "½ρgh²", 6.0, &[6.0 * 4905.0]);
+        let told = Basin::of(&Loaded::default(), "").slip(&force).unwrap();
+        assert!(told.ends_with("is the column in another unit?"), "{told}");
     }
 }

@@ -130,7 +130,7 @@ fn scale(key: &Key, data: &Loaded) -> Option<Scale> {
         return None;
     }
     let written = || {
-        let grid = data.file()?.grid;
+        let grid = &data.file.as_ref()?.grid;
         let axis = grid.get(&key.name)?.as_table()?;
         let spacing = axis.get("spacing").and_then(toml::Value::as_str);
         Some(if spacing == Some("log") { Scale::Log } else { Scale::Linear })

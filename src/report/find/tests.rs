@@ -1,5 +1,3 @@
-use serde_json::json;
-
 use super::*;
 use crate::quantities::Column;
 use crate::quantities::summary::{
@@ -12,12 +10,9 @@ use crate::report::study::Key;
 /// A study over one key, its rows made by a function of the key's value.
 fn study(name: &str, grid: &str, values: &[f64], row: impl Fn(f64) -> Row) -> Loaded {
     let file = format!("name = \"a\"\n[grid]\n{name} = {grid}");
-    Loaded {
-        rows: values.iter().map(|value| row(*value).with(&STATUS, "ok")).collect(),
-        manifest: Some(json!({ "sweep_file": file, "overrides": [] })),
-        keys: vec![Key::new(name, values.iter().map(f64::to_string))],
-        ..Loaded::default()
-    }
+    let rows = values.iter().map(|value| row(*value).with(&STATUS, "ok")).collect();
+    let keys = vec![Key::new(name, values.iter().map(f64::to_string))];
+    Loaded { rows, keys, ..Loaded::default() }.made_from(&file, &[])
 }
 
 const MASS: &str = "seawall_mass_kg_per_m";

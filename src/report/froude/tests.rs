@@ -1,5 +1,4 @@
 use super::*;
-use serde_json::json;
 
 #[test]
 fn scales_are_numbers_above_naught() {
@@ -24,8 +23,7 @@ fn still_water_has_the_hydrostatics_of_the_prototype() {
     let row = row.with(&crate::quantities::summary::STATUS, "ok").with(&DOUBTFUL, true);
     // The story: the prototype's numbers had no error bars, and nothing showed doubts.
     let row = row.with(&FORCE_MAX_ERROR, 0.1).with(&OVERTOPPING_VOLUME_ERROR, 0.001);
-    let manifest = Some(json!({ "sweep_file": file, "overrides": [] }));
-    let data = Loaded { rows: vec![row], manifest, ..Loaded::default() };
+    let data = Loaded { rows: vec![row], ..Loaded::default() }.made_from(file, &[]);
     let tables = Froude(20.0).tables(&data).unwrap();
     let [table] = &tables[..] else { panic!("{tables:?}") };
     assert!(table.title.ends_with("Froude scale 1:20"));

@@ -13,21 +13,21 @@ use crate::report::error::ReportError;
 use crate::report::load::Loaded;
 use crate::report::number;
 use crate::report::row::PLACE;
-use crate::report::scene_file::SceneFile;
+use crate::report::scene_file::{are_there, template};
 use crate::report::study::Key;
 
 /// The size of all histories together, bytes.
 const ROOM: usize = 1_400_000;
 
 /// The data as JSON that may stand inside script tags.
-pub fn data(loaded: &Loaded, file: Option<&SceneFile>) -> Result<String, ReportError> {
+pub fn data(loaded: &Loaded) -> Result<String, ReportError> {
     let ids: Vec<_> = loaded.rows.iter().map(|row| row.id()).collect();
     let keys: Vec<Value> = swept(loaded).iter().map(key).collect();
     let (histories, cut) = histories(loaded)?;
     let value = json!({
         "ids": ids,
         "keys": keys,
-        "scenes": scenes(loaded, file),
+        "scenes": scenes(loaded),
         "histories": histories,
         "cut": cut,
     });
@@ -65,11 +65,13 @@ fn key(key: &Key) -> Value {
 }
 
 /// The different texts of scene files, and which one each row has; -1 where it has none.
-fn scenes(loaded: &Loaded, file: Option<&SceneFile>) -> Value {
-    let Some(file) = file else { return Value::Null };
+fn scenes(loaded: &Loaded) -> Value {
+    if !are_there(loaded) {
+        return Value::Null;
+    }
     let mut texts: Vec<String> = Vec::new();
     let mut of = |index: usize| {
-        let Some(text) = file.template(loaded, index) else { return -1 };
+        let Some(text) = template(loaded, index) else { return -1 };
         let known = texts.iter().position(|known| *known == text);
         known.unwrap_or_else(|| {
             texts.push(text);
@@ -111,7 +113,7 @@ mod tests {
     #[test]
     fn keys_hold_their_values_once_and_rows_their_places() {
         let (_directory, loaded) = fixture::read(fixture::sweep());
-        let text = data(&loaded, None).unwrap();
+        let text = data(&loaded).unwrap();
         assert!(!text.contains('<'));
         let read: Value = serde_json::from_str(&text).unwrap();
         assert_eq!(read["ids"].as_array().unwrap().len(), 12);

@@ -21,7 +21,6 @@ use super::load::Loaded;
 use super::markup::escape;
 use super::papers::Papers;
 use super::plots::{self, Figure};
-use super::scene_file::SceneFile;
 use super::selection;
 use super::tables::{self, Table, across};
 use crate::quantities::summary::{ENERGY_GAP, FORCE_MAX_GAP, PARTICLES_LOST};
@@ -50,9 +49,8 @@ pub fn page(
     papers: &Papers,
 ) -> Result<String, ReportError> {
     let name = escape(data.name().unwrap_or("seawall sweep"));
-    let file = SceneFile::of(data);
     let (mut body, mut rest) = (String::new(), String::new());
-    head(&mut body, [data, shown], &name, file.as_ref(), papers.answer.as_deref());
+    head(&mut body, [data, shown], &name, papers.answer.as_deref());
     let failed = tables::failed(data, MOST_ROWS).whole()?.for_page();
     if !failed.rows.is_empty() {
         section(&mut body, &failed.title, &grid(&failed));
@@ -69,7 +67,7 @@ pub fn page(
     if let Some(manifest) = &data.manifest {
         section(&mut rest, "Provenance", &provenance::provenance(manifest));
     }
-    let json = data::data(shown, file.as_ref())?;
+    let json = data::data(shown)?;
     let (style, script) = (STYLE.concat(), SCRIPT.concat());
     let written = [&body, &rest, &json, &style, &script].map(|text| text.len());
     let room = MOST.saturating_sub(written.iter().sum());
@@ -96,14 +94,8 @@ fn section(body: &mut String, title: &str, content: &str) {
 }
 
 /// The name, the answers, and the place for the script's bar.
-fn head(
-    body: &mut String,
-    [data, shown]: [&Loaded; 2],
-    name: &str,
-    file: Option<&SceneFile>,
-    papers: Option<&str>,
-) {
-    let mut answers = answers::all(data, file);
+fn head(body: &mut String, [data, shown]: [&Loaded; 2], name: &str, papers: Option<&str>) {
+    let mut answers = answers::all(data);
     answers.extend(shown.is_part.then(|| ("Shown", selection::words(shown, data))));
     answers.extend(papers.map(|text| ("The papers", text.to_owned())));
     let answer = |(about, text): &answers::Answer| {

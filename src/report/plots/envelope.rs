@@ -117,7 +117,6 @@ mod tests {
     use crate::quantities::summary::STOPS;
     use crate::report::fixture;
     use crate::report::study::Key;
-    use serde_json::json;
 
     /// The story: of a sweep over depths the figure had the shallowest water, whose F* is largest
     /// and whose pressures are the least.
@@ -126,7 +125,7 @@ mod tests {
         let (_directory, mut data) =
             fixture::read(fixture::movable(&[0.5], &[500.0, 600.0], &[250.0]));
         let text = "[scene]\nwall = \"movable\"\n[grid]";
-        data.manifest = Some(json!({ "name": "a", "sweep_file": text }));
+        data = data.made_from(text, &[]);
         let keys = [("spring_stiffness_n_per_m", "500"), ("seawall_mass_kg_per_m", "250")];
         data.keys = keys.map(|(name, cell)| Key::new(name, [cell, cell])).into();
         for (row, force) in data.rows.iter_mut().zip([2.2, 2.0]) {

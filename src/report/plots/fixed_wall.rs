@@ -16,7 +16,7 @@ use crate::quantities::summary::{
     WAVE_HEIGHT_RATIO,
 };
 use crate::report::curves::{spread, variants};
-use crate::report::goda::{Setting, Settings};
+use crate::report::goda::{Setting, setting_of};
 use crate::report::load::Loaded;
 use crate::report::number::significant;
 use crate::report::row::Row;
@@ -28,7 +28,7 @@ const OF_ALL: [(&Column, usize); 2] = [(&RUNUP_MAX, 1), (&FORCE_MAX, 2)];
 
 /// The figure of every variant with fixed walls and waves.
 pub fn figures(data: &Loaded) -> Vec<Figure> {
-    let (key, settings) = (swept::key(data), Settings::of(data));
+    let key = swept::key(data);
     let walls_of = |variant: String| {
         let (places, rows): (Vec<_>, Vec<_>) = walls(data, &variant).unzip();
         // A lone point makes no curve. It gets a figure only beside the exact wave, and if no other
@@ -51,7 +51,7 @@ pub fn figures(data: &Loaded) -> Vec<Figure> {
         let measured = !regular && rows.iter().all(known);
         let height = if measured { "measured at the gauge" } else { "nominal" };
         let pressed = rows.iter().any(|row| row.number(sides[1].0) != Some(0.0));
-        let beside = if pressed { Beside::of(&settings, &places) } else { Beside::Nothing };
+        let beside = if pressed { Beside::of(data, &places) } else { Beside::Nothing };
         let (shown, what, at, told) = match pressed {
             true => {
                 let told = beside.caption(rows.iter().all(|row| row.is_vertical()));
@@ -114,8 +114,8 @@ enum Beside {
 }
 
 impl Beside {
-    fn of(settings: &Settings, places: &[usize]) -> Beside {
-        let each: Vec<_> = places.iter().map(|place| settings.at(*place)).collect();
+    fn of(data: &Loaded, places: &[usize]) -> Beside {
+        let each: Vec<_> = places.iter().map(|place| setting_of(data, *place)).collect();
         match &each[..] {
             all if all.iter().all(|one| one.is_some_and(Setting::is_plain)) => Beside::Exact,
             all if all.iter().any(Option::is_some) => Beside::Goda(each),

@@ -6,7 +6,7 @@ use super::look::Look;
 use crate::papers::{Printed, printed, scenes};
 use crate::quantities::Column;
 use crate::quantities::summary::WAVE_HEIGHT_RATIO;
-use crate::report::config::each_config;
+use crate::report::config::Config;
 use crate::report::load::Loaded;
 use crate::report::row::{PLACE, Row, label};
 
@@ -70,7 +70,7 @@ pub fn by_wave(
 /// Whether a case has the scene of a printed number.
 fn is_theirs(data: &Loaded, row: &Row, number: &Printed) -> bool {
     let place = data.rows.iter().position(|other| std::ptr::eq(other, row));
-    let config = each_config(data, place.into_iter()).next().flatten();
+    let config = place.and_then(|place| Config::of(data, place));
     config.is_some_and(|config| scenes(&config.scene).any(|scene| scene == number.scene))
 }
 
@@ -83,11 +83,11 @@ mod tests {
     /// The story: all numbers of the papers were black, and one of H/h = 0.3 lay on the curve of 0.5 as if it agreed.
     #[test]
     fn each_number_has_the_colour_of_its_wave() {
-        let (_directory, mut data) =
+        let (_directory, data) =
             fixture::read(fixture::movable(&[0.3, 0.5], &[10.0, 500.0], &[50.0]));
         let file = "name = \"a\"\n[scene]\nwall = \"movable\"\nseawall_mass_kg_per_m = 50\n\
                     spring_stiffness_n_per_m = 10\n[grid]\nwave_height_ratio = [0.3, 0.5]";
-        data.manifest = Some(serde_json::json!({ "sweep_file": file, "overrides": [] }));
+        let data = data.made_from(file, &[]);
         let rows: Vec<&Row> = data.rows.iter().collect();
         let curves = by_wave(&data, &FIRST_FORCE_MAX, &rows, (&LOG10_K_STAR, &[0.5, 0.3]));
         let told: Vec<_> = curves.iter().flat_map(|curve| &curve.points).collect();

@@ -20,7 +20,7 @@ use crate::quantities::{Column, heading};
 use crate::report::curves::{distinct, has_curve, responses, spread, variants};
 use crate::report::load::Loaded;
 use crate::report::row::Row;
-use crate::report::study::{Key, StudyFile};
+use crate::report::study::Key;
 use crate::report::variant::{file_name, shorten, words};
 
 /// Each drawn column, with the one that replaces it where a case has no first impact. For regular
@@ -121,9 +121,8 @@ pub fn figures(data: &Loaded, key: &Key) -> Vec<Figure> {
     let of = |(_, row): &Case| others[row.id()].as_str();
     let groups = grouped(cases(data, key).into_iter().map(|case| (of(&case), case)));
     // Another depth at the paddle changes the depth at the wall, and not in proportion.
-    let of_file = StudyFile::of(data.manifest.as_ref());
     let over_beds = data.keys.iter().any(|key| key.name == BED)
-        || of_file.is_some_and(|file| file.scene.contains_key(BED));
+        || data.file.as_ref().is_some_and(|file| file.scene.contains_key(BED));
     let (_, heading) = measure(key);
     let mut figures = Vec::new();
     for mut group in groups {

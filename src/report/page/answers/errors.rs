@@ -57,7 +57,7 @@ pub fn bars(data: &Loaded) -> Option<String> {
 
 /// Whether the study's file asks for error bars.
 fn asked(data: &Loaded) -> bool {
-    let Some(file) = data.file() else { return false };
+    let Some(file) = &data.file else { return false };
     let name = "error_bars";
     let own = file.numerics.get(name).and_then(toml::Value::as_str);
     file.aims || file.grid.contains_key(name) || own.is_some_and(|bars| bars != "none")
@@ -65,7 +65,7 @@ fn asked(data: &Loaded) -> bool {
 
 /// Whether the study's scenes are seawalls, as far as its file says.
 fn of_walls(data: &Loaded) -> bool {
-    let kind = data.file().and_then(|file| Some(file.scene.get("kind")?.as_str()?.to_owned()));
+    let kind = data.file.as_ref().and_then(|file| file.kind());
     kind.is_none_or(|kind| kind == "seawall")
 }
 
@@ -110,11 +110,10 @@ mod tests {
 
     #[test]
     fn bars_that_nobody_could_make_were_asked_for_all_the_same() {
-        let (_directory, mut data) = fixture::read(fixture::movable(&[0.3, 0.5], &[10.0], &[50.0]));
-        let mut told = |numerics: &str| {
+        let (_directory, data) = fixture::read(fixture::movable(&[0.3, 0.5], &[10.0], &[50.0]));
+        let told = |numerics: &str| {
             let file = format!("name = \"a\"\n[numerics]\n{numerics}\n[grid]");
-            data.manifest = Some(serde_json::json!({ "sweep_file": file, "overrides": [] }));
-            super::bars(&data).unwrap()
+            super::bars(&data.clone().made_from(&file, &[])).unwrap()
         };
         for numerics in ["", "error_bars = \"none\""] {
             assert!(told(numerics).starts_with("No error bars were asked for"), "{numerics}");

@@ -3,11 +3,10 @@
 use crate::quantities::Column;
 use crate::quantities::summary::{FIRST_FORCE_MAX, FORCE_MAX, FORCE_MAX_ERROR};
 use crate::report::load::Loaded;
-use crate::report::newtons::{differ, scale};
+use crate::report::newtons::differ;
 use crate::report::number;
 use crate::report::page::words::{at, doubt, result};
 use crate::report::row::Row;
-use crate::report::scene_file::SceneFile;
 use crate::scene::Scene;
 
 /// A later force is mentioned if it is larger than the first impact's by more than this share.
@@ -28,25 +27,25 @@ pub fn most<'a>(
 }
 
 /// The largest force as F* and in kN/m, and the case that has it.
-pub fn largest(data: &Loaded, file: Option<&SceneFile>) -> Option<String> {
+pub fn largest(data: &Loaded) -> Option<String> {
     let (row, force) = most(data.finished(), |row| row.number(column(row)))?;
     if force == 0.0 && data.finished().all(Row::stands_dry) {
         return Some("No water presses on the wall, which stands dry.".to_owned());
     }
     let alone = data.rows.len() == 1;
-    let other = other_in_newtons(data, file, row, force);
+    let other = other_in_newtons(data, row, force);
     let is = match &other {
         _ if alone => "The largest force is",
         Some(_) => "Over ½ρgh² the largest force is",
         None => "The largest force of all is",
     };
     let told = |(row, force): (&Row, f64)| {
-        let (newtons, place) = (newtons(data, file, row, force), at(row));
+        let (newtons, place) = (newtons(data, row, force), at(row));
         let comma = if newtons.is_empty() || place.is_empty() { "" } else { "," };
         Some(format!("{}{newtons}{comma}{place}.", result("F*", row, column(row))?))
     };
     let mut text = format!("{is} {}", told((row, force))?);
-    if let Some(depth) = depth_at_wall(data, file, row) {
+    if let Some(depth) = depth_at_wall(data, row) {
         let depth = number::significant(depth, 4);
         text.push_str(&format!(" Over this bed h of F* is the depth at the wall, {depth} m."));
     }
@@ -73,31 +72,26 @@ fn later(data: &Loaded, first: f64) -> Option<String> {
 }
 
 /// The scene of a row.
-pub fn scene(data: &Loaded, file: Option<&SceneFile>, row: &Row) -> Option<Scene> {
+pub fn scene(data: &Loaded, row: &Row) -> Option<Scene> {
     let index = data.rows.iter().position(|one| one.id() == row.id())?;
-    Some(file?.config(data, index)?.scene)
+    Some(data.case(index)?.scene)
 }
 
 /// The depth that scales the F* of a row, m, if it is not the still water's at the paddle.
-fn depth_at_wall(data: &Loaded, file: Option<&SceneFile>, row: &Row) -> Option<f64> {
-    let scene = scene(data, file, row)?;
-    let depth = scene.seawall()?.force_depth_m();
+fn depth_at_wall(data: &Loaded, row: &Row) -> Option<f64> {
+    let scene = scene(data, row)?;
+    let depth = scene.force_depth_m();
     (depth != scene.frame().depth).then_some(depth)
 }
 
 /// The case with the largest force in newtons, and its F*, if it is not the case of the largest F*.
-fn other_in_newtons<'a>(
-    data: &'a Loaded,
-    file: Option<&SceneFile>,
-    row: &Row,
-    force: f64,
-) -> Option<(&'a Row, f64)> {
+fn other_in_newtons<'a>(data: &'a Loaded, row: &Row, force: f64) -> Option<(&'a Row, f64)> {
     if !differ(data) {
         return None;
     }
     let of = |(index, row): (usize, &'a Row)| {
         let force = row.number(column(row)).filter(|force| row.is_ok() && force.is_finite())?;
-        Some((row, force, force * scale(&file?.config(data, index)?.scene)))
+        Some((row, force, force * data.case(index)?.scene.force_unit_n_per_m()))
     };
     let all: Vec<_> = data.rows.iter().enumerate().filter_map(of).collect();
     let own = all.iter().find(|it| it.0.id() == row.id())?.2;
@@ -106,12 +100,12 @@ fn other_in_newtons<'a>(
 }
 
 /// `, that is 0.77 kN per metre of wall`.
-fn newtons(data: &Loaded, file: Option<&SceneFile>, row: &Row, force: f64) -> String {
-    let told = |scene| {
-        let force = number::significant(force * scale(&scene) / 1000.0, 3);
+fn newtons(data: &Loaded, row: &Row, force: f64) -> String {
+    let told = |scene: Scene| {
+        let force = number::significant(force * scene.force_unit_n_per_m() / 1000.0, 3);
         format!(", that is {force} kN per metre of wall")
     };
-    scene(data, file, row).map(told).unwrap_or_default()
+    scene(data, row).map(told).unwrap_or_default()
 }
 
 #[cfg(test)]
@@ -120,19 +114,17 @@ mod tests {
     use crate::quantities::summary::DOUBTFUL;
     use crate::report::fixture;
     use crate::report::study::Key;
-    use serde_json::json;
 
     #[test]
     fn a_force_is_told_in_newtons_and_a_later_one_too() {
         let (_directory, mut data) = fixture::read(fixture::movable(&[0.5], &[500.0], &[250.0]));
         let text = "[scene]\nwall = \"movable\"\nstill_water_depth_m = 0.4\n[grid]";
-        data.manifest = Some(json!({ "name": "a", "sweep_file": text }));
+        data = data.made_from(text, &[]);
         let keys = [("spring_stiffness_n_per_m", "500"), ("seawall_mass_kg_per_m", "250")];
         data.keys = keys.map(|(name, cell)| Key::new(name, [cell])).into();
         data.rows[0] = data.rows[0].clone().with(&FIRST_FORCE_MAX, 2.0).with(&FORCE_MAX, 2.5);
-        let file = SceneFile::of(&data);
         assert_eq!(
-            largest(&data, file.as_ref()).unwrap(),
+            largest(&data).unwrap(),
             "The largest force is F* = 2, that is 1.57 kN per metre of wall, at H/h = 0.5, k = 500 \
              N/m, m = 250 kg/m. It is that of the first impact. A later one reaches F* = 2.5 at \
              H/h = 0.5, k = 500 N/m, m = 250 kg/m."
@@ -140,13 +132,12 @@ mod tests {
         // Regular waves have no first impact. The smaller of two forces was called the largest.
         let mut train = Loaded { rows: data.rows.clone(), ..Loaded::default() };
         train.rows[0].regular = true;
-        let told = largest(&train, None).unwrap();
+        let told = largest(&train).unwrap();
         assert_eq!(told, "The largest force is F* = 2.5 at H/h = 0.5, k = 500 N/m, m = 250 kg/m.");
         // Over a bed the depth at the wall scales F*. Here it is half of the paddle's.
         let bed = "[scene]\nbed = [[0, 0], [1, 0], [2, 0.2], [2.5, 0.2]]\n";
-        data.manifest = Some(json!({ "name": "a", "sweep_file": text.replace("[scene]\n", bed) }));
-        let file = SceneFile::of(&data);
-        let told = largest(&data, file.as_ref()).unwrap();
+        data = data.made_from(&text.replace("[scene]\n", bed), &[]);
+        let told = largest(&data).unwrap();
         assert!(told.contains("that is 0.392 kN per metre of wall"), "{told}");
         assert!(told.contains(" h of F* is the depth at the wall, 0.2 m. It is that of"), "{told}");
     }
@@ -156,18 +147,18 @@ mod tests {
         let (_directory, mut data) =
             fixture::read(fixture::movable(&[0.5, 0.6], &[500.0], &[250.0]));
         let text = "[scene]\nwall = \"movable\"\n[grid]";
-        data.manifest = Some(json!({ "name": "a", "sweep_file": text }));
+        data = data.made_from(text, &[]);
         let keys = [("spring_stiffness_n_per_m", "500"), ("seawall_mass_kg_per_m", "250")];
         data.keys = keys.map(|(name, cell)| Key::new(name, [cell, cell])).into();
         data.rows[0] = data.rows[0].clone().with(&FIRST_FORCE_MAX, 2.0).with(&FORCE_MAX, 2.0);
         data.rows[1] = data.rows[1].clone().with(&FIRST_FORCE_MAX, 3.0).with(&FORCE_MAX, 3.0);
-        let told = largest(&data, SceneFile::of(&data).as_ref()).unwrap();
+        let told = largest(&data).unwrap();
         assert!(told.starts_with("The largest force of all is F* = 3, that is 0.589 kN"), "{told}");
         data.rows[1] = data.rows[1].clone().with(&DOUBTFUL, "true");
-        let told = largest(&data, SceneFile::of(&data).as_ref()).unwrap();
+        let told = largest(&data).unwrap();
         assert!(told.ends_with(" The result is doubtful: look at its history first."), "{told}");
         data.keys.push(Key::new("still_water_depth_m", ["0.4", "0.2"]));
-        let told = largest(&data, SceneFile::of(&data).as_ref()).unwrap();
+        let told = largest(&data).unwrap();
         assert!(
             told.starts_with("Over ½ρgh² the largest force is F* = 3, that is 0.589"),
             "{told}"
@@ -180,7 +171,7 @@ mod tests {
         data.keys.pop();
         let slope = "[[0, 0], [1, 0], [2, 0.1], [2.5, 0.1]]";
         data.keys.push(Key::new("bed", ["[[0, 0], [2.5, 0]]", slope]));
-        let told = largest(&data, SceneFile::of(&data).as_ref()).unwrap();
+        let told = largest(&data).unwrap();
         let [first, newtons] = told.split(" In newtons it is ").collect::<Vec<_>>()[..] else {
             panic!("{told}")
         };

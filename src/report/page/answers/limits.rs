@@ -4,9 +4,9 @@ use rayon::prelude::*;
 
 use crate::math::lists::counts;
 use crate::math::words::{capitalised, counted};
+use crate::report::case::STROKE;
 use crate::report::curves::spread_places;
 use crate::report::load::Loaded;
-use crate::report::scene_file::SceneFile;
 use crate::scene::limits;
 
 /// How many cases are looked at, spread over the study.
@@ -16,11 +16,11 @@ const READ: usize = 20;
 
 /// Each limit once, in the words of `seawall check`, with the number of cases; `None` where none is
 /// reached, or the files do not tell.
-pub fn known(data: &Loaded, file: Option<&SceneFile>) -> Option<String> {
-    let file = file?;
-    let most = if file.reads_strokes() { READ } else { LOOKED_AT };
+pub fn known(data: &Loaded) -> Option<String> {
+    let reads_strokes = data.file.as_ref()?.scene.contains_key(STROKE);
+    let most = if reads_strokes { READ } else { LOOKED_AT };
     let places: Vec<usize> = spread_places(data.rows.len(), most).collect();
-    let of = |&place: &usize| Some(limits(&file.config(data, place)?));
+    let of = |&place: &usize| Some(limits(&data.case_as_run(place)?));
     let cases: Vec<_> = places.par_iter().filter_map(of).collect();
     let all = cases.len();
     let line = |(limit, reach): (&str, usize)| match reach {
@@ -43,20 +43,12 @@ pub fn known(data: &Loaded, file: Option<&SceneFile>) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::study::Key;
-    use serde_json::json;
 
     fn told(numerics: &str, spacings: &[&str]) -> Option<String> {
         let text = format!(
             "name = \"a\"\n[scene]\nwave_height_ratio = 0.3\n[numerics]\n{numerics}\n[grid]"
         );
-        let data = Loaded {
-            manifest: Some(json!({ "name": "a", "sweep_file": text })),
-            keys: vec![Key::new("particle_spacing_m", spacings)],
-            rows: vec![Default::default(); spacings.len()],
-            ..Loaded::default()
-        };
-        known(&data, SceneFile::of(&data).as_ref())
+        known(&Loaded::swept(&[("particle_spacing_m", spacings)]).made_from(&text, &[]))
     }
 
     /// The story: `check`, `run` and `sweep` told of known limits, and the page of none.
@@ -74,6 +66,6 @@ mod tests {
         assert_eq!((both.matches(few).count(), both.starts_with("Both cases: f")), (1, true));
         let many = told("", &vec!["0.025"; LOOKED_AT + 1]).unwrap();
         assert!(many.ends_with(" These are 2000 of 2001 cases."), "{many}");
-        assert_eq!(known(&Loaded::default(), None), None);
+        assert_eq!(known(&Loaded::default()), None);
     }
 }

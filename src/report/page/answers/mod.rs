@@ -16,27 +16,26 @@ pub use force::most;
 
 use crate::report::doubts;
 use crate::report::load::Loaded;
-use crate::report::scene_file::SceneFile;
 
 /// The subject of an answer in a word or two, and the answer as plain text.
 pub type Answer = (&'static str, String);
 
 /// All answers that the data allows.
-pub fn all(data: &Loaded, file: Option<&SceneFile>) -> Vec<Answer> {
+pub fn all(data: &Loaded) -> Vec<Answer> {
     let answers = [
-        ("What was run", Some(run::what(data, file))),
+        ("What was run", Some(run::what(data))),
         ("The scene", scene::shared(data)),
         ("Warnings", scene::odd(data)),
         ("Failed", run::failed(data)),
-        ("Largest force", force::largest(data, file)),
-        ("Highest runup", runup::highest(data, file)),
+        ("Largest force", force::largest(data)),
+        ("Highest runup", runup::highest(data)),
         ("Over the crest", overtopping::largest(data)),
         ("Half the force", halving::half(data)),
         ("Stops", stops::hits(data)),
         ("Bounds", doubts::bounds(data)),
         ("Doubts", doubts::doubtful(data)),
         ("Spacing", doubts::coarse(data)),
-        ("Known limits", limits::known(data, file)),
+        ("Known limits", limits::known(data)),
         ("Errors", errors::bars(data)),
         ("The aim", aim::met(data)),
     ];
@@ -50,7 +49,7 @@ mod tests {
 
     fn said(directory: &tempfile::TempDir) -> String {
         let data = Loaded::read(directory.path()).unwrap();
-        let answers = all(&data, SceneFile::of(&data).as_ref());
+        let answers = all(&data);
         answers.iter().map(|(about, text)| format!("{about}: {text}\n")).collect()
     }
 
@@ -104,12 +103,12 @@ mod tests {
     fn none_that_is_finished_has_no_numbers() {
         let (_directory, mut data) = fixture::read(fixture::sweep());
         data.rows.retain(|row| !row.is_ok());
-        let told = all(&data, None);
+        let told = all(&data);
         assert_eq!(told.iter().map(|a| a.0).collect::<Vec<_>>(), ["What was run", "Failed"]);
         assert!(told[0].1.ends_with("None came to its end."), "{}", told[0].1);
         data.rows.clear();
         data.manifest = Some(serde_json::json!({ "cases": 4 }));
-        let told = all(&data, None);
+        let told = all(&data);
         assert_eq!(told.len(), 1);
         assert_eq!(told[0].1, "4 cases. None is finished yet.");
     }

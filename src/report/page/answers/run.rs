@@ -10,14 +10,13 @@ use crate::report::number;
 use crate::report::page::data::swept;
 use crate::report::page::words::range;
 use crate::report::row::Row;
-use crate::report::scene_file::SceneFile;
 use crate::report::study::Key;
 
 /// How many cases there are, what was swept, and how many cases are finished.
-pub fn what(data: &Loaded, file: Option<&SceneFile>) -> String {
+pub fn what(data: &Loaded) -> String {
     let cases = data.rows.len() + data.left();
     // Other kinds of scenes are named: their waves and walls do not show what they are.
-    let kind = file.and_then(SceneFile::kind).filter(|kind| *kind != "seawall");
+    let kind = data.file.as_ref().and_then(|file| file.kind()).filter(|kind| *kind != "seawall");
     let mut over: Vec<_> = kind.map(|kind| kind.replace('-', " ")).into_iter().collect();
     over.extend(swept(data).iter().map(key));
     let over = if over.is_empty() { String::new() } else { format!(": {}", over.join("; ")) };

@@ -6,14 +6,13 @@ use crate::report::load::Loaded;
 use crate::report::number;
 use crate::report::page::words::{at, doubt, result};
 use crate::report::row::Row;
-use crate::report::scene_file::SceneFile;
 
 /// The highest runup of such cases over h and in metres, and how the water's edge was found; `None`
 /// where water stands at every wall.
-pub fn highest(data: &Loaded, file: Option<&SceneFile>) -> Option<String> {
+pub fn highest(data: &Loaded) -> Option<String> {
     let dry = data.finished().filter(|row| row.stands_dry());
     let (row, runup) = most(dry, |row| row.number(&RUNUP_MAX))?;
-    let scene = scene(data, file, row);
+    let scene = scene(data, row);
     let seawall = scene.as_ref().and_then(|scene| scene.seawall());
     let metres = scene.as_ref().map(|scene| runup * scene.frame().depth);
     let metres = metres.map(|height| number::significant(height, 3));
@@ -44,13 +43,12 @@ mod tests {
     use crate::quantities::summary::{FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_AT_REST, FORCE_MAX};
     use crate::report::fixture;
     use crate::report::page::answers::force;
-    use serde_json::json;
 
     /// The story: for a beach the page said that the largest force was 0, and gave no runup.
     #[test]
     fn a_beach_is_told_by_its_runup() {
         let (_directory, mut data) = fixture::read(fixture::fixed());
-        assert_eq!(highest(&data, None), None, "water stands at the wall");
+        assert_eq!(highest(&data), None, "water stands at the wall");
         for row in &mut data.rows {
             let dry = row.clone().with(&FIRST_FORCE_MAX, "").with(&FIRST_RUNUP_MAX, "");
             *row = dry.with(&FORCE_MAX, 0.0).with(&FORCE_AT_REST, 0.0).with(&RUNUP_MAX, 0.5);
@@ -59,7 +57,7 @@ mod tests {
         data.rows[2] = data.rows[2].clone().with(&RUNUP_MAX, 0.75);
         let wave = at(&data.rows[2]);
         assert_eq!(
-            highest(&data, None).unwrap(),
+            highest(&data).unwrap(),
             format!("The highest runup of all is R* = 0.75{wave}.")
         );
         let told = |more: &str| {
@@ -68,17 +66,16 @@ mod tests {
             let scene = format!("bed = [[0, 0], [1, 0], [3, 0.4]]\ntank_length_m = 3\n{more}");
             let text =
                 format!("name = \"a\"\n[scene]\nwave_height_ratio = 0.3\nend_time_s = 3\n{scene}");
-            data.manifest = Some(json!({ "sweep_file": text, "keys": [] }));
+            data = data.made_from(&text, &[]);
             data.keys.clear();
-            let file = SceneFile::of(&data);
-            highest(&data, file.as_ref()).unwrap()
+            highest(&data).unwrap()
         };
         let coarse = told("");
         assert!(coarse.contains(", that is 0.15 m over still water"), "{coarse}");
         assert!(coarse.contains("one particle spacing thick, so it rises"), "{coarse}");
         let fixed = told("runup_thickness_m = 0.02");
         assert!(fixed.ends_with("It is told where the water is 0.02 m thick."), "{fixed}");
-        let pressed = force::largest(&data, None).unwrap();
+        let pressed = force::largest(&data).unwrap();
         assert_eq!(pressed, "No water presses on the wall, which stands dry.");
     }
 }

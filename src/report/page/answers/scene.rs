@@ -70,14 +70,9 @@ fn word(value: &toml::Value) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::study::Key as Swept;
-    use serde_json::json;
 
     fn of(file: &str, key: &str, cells: &[&str]) -> Option<String> {
-        let keys = vec![Swept::new(key, cells)];
-        let manifest = Some(json!({ "sweep_file": file, "overrides": [] }));
-        let rows = vec![Default::default(); cells.len()];
-        shared(&Loaded { rows, keys, manifest, ..Loaded::default() })
+        shared(&Loaded::swept(&[(key, cells)]).made_from(file, &[]))
     }
 
     #[test]
@@ -101,9 +96,8 @@ mod tests {
             let file = format!(
                 "name = \"a\"\n[scene]\ntank_length_m = 12\n{end}\n[grid]\nwave_height_ratio = [0.2, 0.3]"
             );
-            let keys = vec![Swept::new("wave_height_ratio", ["0.2", "0.3"])];
-            let manifest = Some(json!({ "sweep_file": file, "overrides": [] }));
-            odd(&Loaded { rows: vec![Default::default(); 2], keys, manifest, ..Loaded::default() })
+            let data = Loaded::swept(&[("wave_height_ratio", &["0.2", "0.3"])]);
+            odd(&data.made_from(&file, &[]))
         };
         let told = of("").unwrap();
         assert!(
@@ -115,10 +109,8 @@ mod tests {
         assert_eq!(of("end_time_s = 30"), None);
         let file =
             "name = \"a\"\n[scene]\nwave_height_ratio = 0.2\n[grid]\ntank_length_m = [2.5, 12]";
-        let keys = vec![Swept::new("tank_length_m", ["2.5", "12"])];
-        let manifest = Some(json!({ "sweep_file": file, "overrides": [] }));
-        let rows = vec![Default::default(); 2];
-        let told = odd(&Loaded { rows, keys, manifest, ..Loaded::default() }).unwrap();
+        let data = Loaded::swept(&[("tank_length_m", &["2.5", "12"])]);
+        let told = odd(&data.made_from(file, &[])).unwrap();
         assert!(told.ends_with("(in some cases)."), "{told}");
         assert_eq!(odd(&Loaded::default()), None);
     }

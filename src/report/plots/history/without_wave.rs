@@ -8,7 +8,6 @@ use crate::report::error::ReportError;
 use crate::report::load::Loaded;
 use crate::report::plots::Figure;
 use crate::report::plots::over_time::{self, Strip};
-use crate::report::scene_file::SceneFile;
 
 /// The figure of scenes without a paddle: a still tank, a dam break, a flow with an exact answer.
 pub(super) fn figure(data: &Loaded) -> Result<Option<Figure>, ReportError> {
@@ -51,6 +50,6 @@ pub(super) fn figure(data: &Loaded) -> Result<Option<Figure>, ReportError> {
 
 /// What F* is over where there is no gravity.
 fn weightless_unit(data: &Loaded) -> Option<&'static str> {
-    let frame = SceneFile::of(data)?.config(data, 0)?.scene.frame();
+    let frame = data.case(0)?.scene.frame();
     (frame.gravity == 0.0).then(|| frame.force_unit())
 }

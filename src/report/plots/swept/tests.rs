@@ -86,8 +86,7 @@ fn a_sweep_over_a_bed_tells_by_which_depth_forces_count() {
     };
     assert!(!told(&data));
     let file = "[scene]\nbed = [[0, 0], [1, 0], [2.5, 0.1]]\n[numerics]\n[grid]\nstill_water_depth_m = [0.2, 0.3]\n";
-    data.manifest = Some(serde_json::json!({ "sweep_file": file }));
-    assert!(told(&data));
+    assert!(told(&data.made_from(file, &[])));
 }
 
 #[test]
