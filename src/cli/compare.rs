@@ -20,7 +20,8 @@ use crate::keys::named;
 use crate::math::decimal::significant;
 use crate::math::words::counted;
 use crate::quantities::Unit;
-use crate::report::compare::{COMPARED, Comparison, Difference, Pair, compare, figure, table};
+use crate::quantities::summary::RESULTS;
+use crate::report::compare::{Comparison, Difference, Pair, compare, figure, table};
 
 /// Compare two studies, or one case with measurements. Two cases form a pair if they have the same values of every [scene] key
 /// that one of the studies sweeps, and of every [numerics] key that both sweep.
@@ -148,7 +149,7 @@ fn text(directories: [&Path; 2], comparison: &Comparison, all: bool) -> String {
 
 fn tallies(comparison: &Comparison, shared: &[&str]) -> String {
     let mut table = Table::new(["", "cases", "median", "worst", "within bars", "worst at"]);
-    for at in 0..COMPARED.len() {
+    for at in 0..RESULTS.len() {
         let column = comparison.column(at);
         let Some(tally) = Pair::tally(&comparison.pairs, at) else { continue };
         let within = match tally.with_bars {
@@ -179,7 +180,7 @@ fn unit(unit: Unit) -> &'static str {
 fn cases(comparison: &Comparison, shared: &[&str], all: bool) -> String {
     let mut pairs: Vec<&Pair> = comparison.pairs.iter().collect();
     let size = |pair: &Pair| {
-        let sizes = pair.differences.iter().zip(COMPARED).filter_map(|(one, (column, _))| {
+        let sizes = pair.differences.iter().zip(RESULTS).filter_map(|(one, column)| {
             let scale = if column.unit == Unit::Runup { 100.0 } else { 1.0 };
             Some(scale * one.as_ref()?.size()?.abs())
         });
@@ -189,7 +190,7 @@ fn cases(comparison: &Comparison, shared: &[&str], all: bool) -> String {
     let (shown, more) = first(&pairs, ROWS, all);
     // Columns without values are left out: fixed walls have no displacement.
     let has = |at: &usize| pairs.iter().any(|pair| pair.differences[*at].is_some());
-    let columns: Vec<usize> = (0..COMPARED.len()).filter(has).collect();
+    let columns: Vec<usize> = (0..RESULTS.len()).filter(has).collect();
     let heads = columns.iter().flat_map(|&at| {
         let column = comparison.column(at);
         let symbol = column.symbol.trim_start_matches("first ").trim_end_matches(" max");

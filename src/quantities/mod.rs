@@ -58,6 +58,8 @@ pub struct Quantity<R> {
     pub bar: Option<&'static str>,
     /// The column of the flag which says that the value is a lower bound.
     pub bound: Option<&'static str>,
+    /// The column of the whole run that is told in its place where there is no first impact.
+    pub whole: Option<&'static str>,
     /// Whether it means something for a single wave alone: what tells of the first impact or of the
     /// first crest means nothing for regular waves.
     pub of_a_single_wave: bool,
@@ -75,6 +77,7 @@ impl<R: Copy> Quantity<R> {
             digits: Digits::All,
             bar: None,
             bound: None,
+            whole: None,
             of_a_single_wave: false,
             read,
         }
@@ -102,6 +105,11 @@ impl<R: Copy> Quantity<R> {
 
     const fn bound(mut self, flag: &'static str) -> Self {
         self.bound = Some(flag);
+        self
+    }
+
+    const fn whole(mut self, column: &'static str) -> Self {
+        self.whole = Some(column);
         self
     }
 
@@ -160,6 +168,11 @@ pub fn named(name: &str) -> Option<&'static Column> {
 }
 
 impl Column {
+    /// The same of the whole run: itself, unless it is of the first impact.
+    pub fn of_whole_run(&'static self) -> &'static Column {
+        self.whole.and_then(named).unwrap_or(self)
+    }
+
     /// Whether it is the error bar of another one.
     pub fn is_bar(&self) -> bool {
         summary::ALL.iter().any(|other| other.bar == Some(self.name))

@@ -48,14 +48,14 @@ quantities! { Read;
     }).bar("displacement_error").bound("displacement_truncated");
     /// largest force F* (running mean) of the first impact
     FIRST_FORCE_MAX = maximum("first_force_max", "first F*", Force, |c| c.outcome?.first_force_max)
-        .bar("force_error").of_a_single_wave();
+        .bar("force_error").whole("force_max").of_a_single_wave();
     /// largest runup R* of the first impact
     FIRST_RUNUP_MAX = maximum("first_runup_max", "first R*", Runup, |c| c.outcome?.first_runup_max)
-        .bar("runup_error").of_a_single_wave();
+        .bar("runup_error").whole("runup_max").of_a_single_wave();
     /// largest displacement X* of the first impact; of a caisson to either side
     FIRST_DISPLACEMENT_MAX = maximum("first_displacement_max", "first X*", Displacement, |c| {
         c.outcome?.first_displacement_max
-    }).bound("displacement_truncated").of_a_single_wave();
+    }).bound("displacement_truncated").whole("displacement_max").of_a_single_wave();
     /// first peak of F*: the largest so far when F* - 1 first falls 10 % below it
     FIRST_FORCE_PEAK = number("first_force_peak", "first peak, F*", Force, |c| {
         c.outcome?.first_force_peak
@@ -170,7 +170,7 @@ quantities! { Read;
     /// largest moment M* (running mean) of the first impact
     FIRST_MOMENT_MAX = maximum("first_moment_max", "first M*", Moment, |c| {
         c.outcome?.first_moment_max
-    }).bar("moment_error").of_a_single_wave();
+    }).bar("moment_error").whole("moment_max").of_a_single_wave();
     /// integral of F* - 1 over the first impact
     FIRST_IMPULSE = number("first_impulse", "first impulse", Impulse, |c| {
         c.outcome?.first_impulse
@@ -216,6 +216,10 @@ quantities! { Read;
     MOMENT_MAX_ERROR = number("moment_max_error", "", Moment, |c| c.bars.whole_moment)
         .significant(3);
 }
+
+/// The results that are compared, and drawn against what was swept.
+pub const RESULTS: [&Column; 4] =
+    [&FIRST_FORCE_MAX, &FIRST_RUNUP_MAX, &DISPLACEMENT_MAX, &OVERTOPPING_VOLUME];
 
 /// The columns of the first version, which every directory has.
 pub fn first_version() -> impl Iterator<Item = &'static Column> {

@@ -9,9 +9,9 @@ use crate::quantities::summary::{
     DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, LOG10_K_STAR, M_STAR, WAVE_HEIGHT_RATIO,
 };
 
-/// What is plotted against the spring's stiffness, in the order of Figs. 13 to 15 of Liang et al.
-/// 2017.
-pub const RESPONSES: [&Column; 3] = [&DISPLACEMENT_MAX, &FIRST_FORCE_MAX, &FIRST_RUNUP_MAX];
+/// What is plotted against the spring's stiffness, as in Figs. 13 to 15 of Liang et al. 2017. The
+/// subject of the page's first answer comes first.
+pub const RESPONSES: [&Column; 3] = [&FIRST_FORCE_MAX, &FIRST_RUNUP_MAX, &DISPLACEMENT_MAX];
 
 /// The word for a response in file names: `displacement`, `force`, `runup`.
 pub fn stem(response: &Column) -> &'static str {

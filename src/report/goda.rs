@@ -4,9 +4,7 @@
 use super::load::Loaded;
 use super::row::Row;
 use crate::body::WaveTrainKeys;
-use crate::quantities::summary::{
-    FIRST_FORCE_MAX, FORCE_MAX, MEASURED_WAVE_HEIGHT_RATIO, WAVE_HEIGHT_RATIO,
-};
+use crate::quantities::summary::{FIRST_FORCE_MAX, MEASURED_WAVE_HEIGHT_RATIO, WAVE_HEIGHT_RATIO};
 use crate::scene::SeawallScene;
 use crate::theory::goda::Goda;
 use crate::theory::wavemaker::travelling;
@@ -55,9 +53,7 @@ impl Setting {
 
     /// The case's force over the formula's: of the first impact, or for regular waves the largest.
     pub fn over(self, row: &Row) -> Option<f64> {
-        let of_first = if self.is_regular() { None } else { row.number(&FIRST_FORCE_MAX) };
-        let force = of_first.or_else(|| row.number(&FORCE_MAX))?;
-        Some(force / self.of_case(row)?)
+        Some(row.number(row.impact(&FIRST_FORCE_MAX))? / self.of_case(row)?)
     }
 }
 
@@ -98,6 +94,7 @@ pub const OVER_GODA: &str = "force_over_goda";
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::quantities::summary::FORCE_MAX;
     use crate::scene::CaseConfig;
 
     fn of(scene: &str) -> Option<Setting> {

@@ -103,10 +103,18 @@ impl Row {
         if self.is_idle(name) {
             return "";
         }
-        let Some(&place) = self.header.places.get(name) else { return "" };
+        self.header.places.get(name).map_or("", |&place| self.at(place))
+    }
+
+    fn at(&self, place: usize) -> &str {
         let Some(end) = self.ends.get(place) else { return "" };
         let start = place.checked_sub(1).and_then(|before| self.ends.get(before)).unwrap_or(0);
         &self.text[start..end]
+    }
+
+    /// All cells as they stand in the file, each with the name of its column.
+    pub fn cells(&self) -> impl Iterator<Item = (&str, &str)> {
+        self.header.places.iter().map(|(name, &place)| (name.as_str(), self.at(place)))
     }
 
     /// A cell as it stands.
@@ -136,8 +144,9 @@ impl Row {
 
     /// The column that is reported: the first impact's or the whole run's. The latter counts if
     /// there was no first impact, and for regular waves: earlier ones change later ones.
-    pub fn impact(&self, first: &'static Column, whole: &'static Column) -> &'static Column {
-        if self.regular || self.number(first).is_none() { whole } else { first }
+    pub fn impact(&self, first: &'static Column) -> &'static Column {
+        let none = self.regular || self.number(first).is_none();
+        if none { first.of_whole_run() } else { first }
     }
 
     /// The error bar of a number.

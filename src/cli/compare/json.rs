@@ -6,7 +6,8 @@ use serde_json::{Value, json};
 
 use super::unit;
 use crate::cli::output::{json_path, json_paths};
-use crate::report::compare::{COMPARED, Comparison, Difference, Pair};
+use crate::quantities::summary::RESULTS;
+use crate::report::compare::{Comparison, Difference, Pair};
 
 pub(super) fn value(
     directories: [&Path; 2],
@@ -26,7 +27,7 @@ pub(super) fn value(
             "bound": one.bounds[0] || one.bounds[1],
         }),
     };
-    let names: Vec<_> = (0..COMPARED.len()).map(|at| comparison.column(at).name).collect();
+    let names: Vec<_> = (0..RESULTS.len()).map(|at| comparison.column(at).name).collect();
     let pair = |pair: &Pair| {
         let differences = names.iter().zip(&pair.differences);
         let values: serde_json::Map<_, _> =
@@ -35,7 +36,7 @@ pub(super) fn value(
     };
     let tally = |at: usize| {
         let tally = Pair::tally(&comparison.pairs, at)?;
-        let unit = unit(COMPARED[at].0.unit);
+        let unit = unit(RESULTS[at].unit);
         Some(json!({
             "cases": tally.count,
             "median": tally.median,

@@ -48,3 +48,17 @@ fn what_is_called_first_is_of_the_first_impact() {
     }
     assert!(!of_first.contains(&"force_max_time_s".to_owned()) && of_first.len() < 20);
 }
+
+/// The story: seven places paired a column of the first impact with that of the whole run by hand.
+#[test]
+fn a_result_of_the_first_impact_has_one_of_the_whole_run() {
+    let paired = ALL.iter().filter(|column| column.whole.is_some());
+    let paired: Vec<_> = paired.map(|column| (column.name, column.of_whole_run().name)).collect();
+    let results = ["force", "runup", "displacement", "moment"];
+    let pairs = results.map(|of| (format!("first_{of}_max"), format!("{of}_max")));
+    assert_eq!(paired, pairs.each_ref().map(|(first, whole)| (first.as_str(), whole.as_str())));
+    for column in RESULTS {
+        assert_eq!(column.unit, column.of_whole_run().unit);
+        assert!(!column.of_whole_run().of_a_single_wave, "{}", column.name);
+    }
+}

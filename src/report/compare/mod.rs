@@ -19,12 +19,13 @@ use super::error::ReportError;
 use super::load::Loaded;
 use super::row::Row;
 use crate::quantities::Column;
+use crate::quantities::summary::RESULTS;
 use values::Values;
 
 pub use gaps::Gaps;
 pub use held::{figure as figure_of_held, table as table_of_held};
 pub use measured::{Beside, Held, hold};
-pub use pair::{COMPARED, Difference, Pair, Tally};
+pub use pair::{Difference, Pair, Tally};
 pub use shown::{figure, table};
 pub use slips::slips;
 
@@ -95,12 +96,11 @@ pub fn compare(directories: [&Path; 2]) -> Result<Comparison, ReportError> {
 }
 
 impl Comparison {
-    /// The column of a compared quantity: the one that replaces it if no pair has its own.
+    /// The column of a compared quantity: that of the whole run if no pair has its own.
     pub fn column(&self, quantity: usize) -> &'static Column {
-        let (column, instead) = COMPARED[quantity];
         let mut known = self.pairs.iter().filter_map(|pair| pair.differences[quantity]).peekable();
         let replaced = known.peek().is_some() && known.all(|one| one.stands_in);
-        instead.filter(|_| replaced).unwrap_or(column)
+        if replaced { RESULTS[quantity].of_whole_run() } else { RESULTS[quantity] }
     }
 }
 

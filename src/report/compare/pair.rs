@@ -3,23 +3,11 @@
 use super::Side;
 use super::values::number_text;
 use crate::math::lists;
-use crate::quantities::summary::{
-    DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, OVERTOPPING_VOLUME, RUNUP_MAX,
-};
+use crate::quantities::summary::RESULTS;
 use crate::quantities::{Column, Unit};
 use crate::report::number::as_typed;
 use crate::report::row::{PLACE, label};
 use crate::report::spoken::all_spoken;
-
-/// Each compared quantity, with the column that replaces it where a case has no first impact. It
-/// also replaces it for regular waves, where the first hard impact may come from different waves.
-pub const COMPARED: [(&Column, Option<&Column>); QUANTITIES] = [
-    (&FIRST_FORCE_MAX, Some(&FORCE_MAX)),
-    (&FIRST_RUNUP_MAX, Some(&RUNUP_MAX)),
-    (&DISPLACEMENT_MAX, None),
-    (&OVERTOPPING_VOLUME, None),
-];
-const QUANTITIES: usize = 4;
 
 /// A wall that moves by less than this share of the depth has no displacement to compare in percent.
 const LEAST: f64 = 0.01;
@@ -35,7 +23,7 @@ pub struct Difference {
     pub bars: [Option<f64>; 2],
     /// Whether they are lower bounds.
     pub bounds: [bool; 2],
-    /// Whether the column that replaces the quantity was read.
+    /// Whether the column of the whole run was read in place of the first impact's.
     pub stands_in: bool,
     /// A smaller value has no difference in percent. Runups have none: they are given in h alone.
     least: Option<f64>,
@@ -50,8 +38,8 @@ pub struct Pair {
     pub place: [String; 3],
     /// The cases' identities.
     pub ids: [String; 2],
-    /// What differs, in the order of [`COMPARED`].
-    pub differences: [Option<Difference>; QUANTITIES],
+    /// What differs, in the order of [`RESULTS`].
+    pub differences: [Option<Difference>; RESULTS.len()],
 }
 
 /// The differences of one quantity in all pairs.
@@ -122,11 +110,10 @@ impl Difference {
 impl Pair {
     pub(super) fn of(a: &Side, b: &Side) -> Pair {
         let rows = [a.row, b.row];
-        let difference = |(column, instead): (&'static Column, Option<&'static Column>)| {
-            let lacks = rows.iter().any(|row| row.number(column).is_none());
-            let regular = instead.filter(|_| rows.iter().any(|row| row.regular));
-            let quantity = column;
-            let column = if lacks { instead? } else { regular.unwrap_or(column) };
+        let difference = |quantity: &'static Column| {
+            // The first hard impact of regular waves may come from different waves.
+            let both = rows.iter().all(|row| row.impact(quantity) == quantity);
+            let column = if both { quantity } else { quantity.of_whole_run() };
             let values = [a.row.number(column)?, b.row.number(column)?];
             Some(Difference {
                 values,
@@ -144,7 +131,7 @@ impl Pair {
             words: point(a, b),
             place: PLACE.map(|column| a.row.cell(column)),
             ids: rows.map(|row| row.id().to_owned()),
-            differences: COMPARED.map(difference),
+            differences: RESULTS.map(difference),
         }
     }
 

@@ -1,8 +1,9 @@
 //! A comparison as a table, one line per pair of cases, and as a figure: the differences against
 //! the values in the first study.
 
-use super::{COMPARED, Comparison, Difference, Pair};
+use super::{Comparison, Difference, Pair};
 use crate::quantities::Column;
+use crate::quantities::summary::RESULTS;
 use crate::report::plots::{Axis, Chart, Curve, Drawing, Entry, Figure, Layout, Look, Point};
 use crate::report::row::PLACE;
 use crate::report::tables::{Table, or_empty};
@@ -11,7 +12,7 @@ use crate::report::tables::{Table, or_empty};
 pub fn table(comparison: &Comparison) -> Table {
     let mut header: Vec<String> = PLACE.iter().map(|column| column.name.to_owned()).collect();
     header.extend(["case_id_a", "case_id_b", "case"].map(str::to_owned));
-    for column in (0..COMPARED.len()).map(|at| comparison.column(at)) {
+    for column in (0..RESULTS.len()).map(|at| comparison.column(at)) {
         let ends =
             ["a", "b", "difference", "percent", "error_a", "error_b", "bound", "within_bars"];
         header.extend(ends.iter().map(|end| format!("{}_{end}", column.name)));
@@ -35,7 +36,7 @@ fn of(difference: Option<&Difference>) -> [String; 8] {
 
 /// The figure; `None` where no pair has both numbers.
 pub fn figure(comparison: &Comparison) -> Option<Figure> {
-    let columns = (0..COMPARED.len()).map(|at| (at, comparison.column(at)));
+    let columns = (0..RESULTS.len()).map(|at| (at, comparison.column(at)));
     let charts = columns.filter_map(|(at, column)| chart(comparison, at, column)).collect();
     let [a, b] = &comparison.names;
     Some(Figure {

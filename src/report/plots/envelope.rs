@@ -8,7 +8,7 @@ use super::marks::shown_are;
 use super::sheet::{Drawing, PANELS};
 use super::{Figure, SERIES};
 use crate::quantities::envelope::{FIRST_PRESSURE_MAX, HEIGHT, PRESSURE_MAX};
-use crate::quantities::summary::{FIRST_FORCE_MAX, FORCE_MAX, WAVE_HEIGHT_RATIO};
+use crate::quantities::summary::{FIRST_FORCE_MAX, WAVE_HEIGHT_RATIO};
 use crate::report::curves::{distinct, spread};
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
@@ -69,7 +69,7 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
 /// `scales` has those, and the force in newtons counts.
 fn chosen<'a>(data: &'a Loaded, scales: Option<&[f64]>) -> Vec<&'a Row> {
     let force = |(place, row): &(usize, &Row)| {
-        let force = row.number(row.impact(&FIRST_FORCE_MAX, &FORCE_MAX)).unwrap_or(0.0);
+        let force = row.number(row.impact(&FIRST_FORCE_MAX)).unwrap_or(0.0);
         scales.map_or(force, |scales| force * scales[*place])
     };
     let mut placed: Vec<_> = data.placed().collect();

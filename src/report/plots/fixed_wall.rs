@@ -12,8 +12,7 @@ use super::sheet::{Drawing, PANELS};
 use super::{COMBINATIONS, Figure, SERIES, file_name, left_out, of_variant, printed, swept};
 use crate::quantities::Column;
 use crate::quantities::summary::{
-    FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, MEASURED_WAVE_HEIGHT_RATIO, RUNUP_MAX,
-    WAVE_HEIGHT_RATIO,
+    FIRST_FORCE_MAX, FIRST_RUNUP_MAX, MEASURED_WAVE_HEIGHT_RATIO, WAVE_HEIGHT_RATIO,
 };
 use crate::report::curves::{spread, variants};
 use crate::report::goda::{Setting, setting_of};
@@ -23,8 +22,6 @@ use crate::report::row::Row;
 
 /// The columns that are drawn side by side, and their places in [`exact::line`].
 const SIDES: [(&Column, usize); 2] = [(&FIRST_RUNUP_MAX, 1), (&FIRST_FORCE_MAX, 2)];
-/// The columns for regular waves, and for walls that stand dry.
-const OF_ALL: [(&Column, usize); 2] = [(&RUNUP_MAX, 1), (&FORCE_MAX, 2)];
 
 /// The figure of every variant with fixed walls and waves.
 pub fn figures(data: &Loaded) -> Vec<Figure> {
@@ -44,7 +41,7 @@ pub fn figures(data: &Loaded) -> Vec<Figure> {
         let name = file_name("fixed-wall", &variant);
         let regular = rows.iter().any(|row| row.regular);
         let (sides, of) = match is_whole(data, &variant) {
-            true => (OF_ALL, "whole run"),
+            true => (SIDES.map(|(column, at)| (column.of_whole_run(), at)), "whole run"),
             false => (SIDES, "first impact"),
         };
         let known = |row: &&Row| row.number(&MEASURED_WAVE_HEIGHT_RATIO).is_some();
@@ -94,7 +91,8 @@ fn all<'a>(data: &'a Loaded, variant: &str) -> impl Iterator<Item = (usize, &'a 
 
 /// The columns for waves at fixed walls: runup and force of the first impact, or of the whole run.
 pub fn sides(data: &Loaded, variant: &str) -> [&'static Column; 2] {
-    (if is_whole(data, variant) { OF_ALL } else { SIDES }).map(|(column, _)| column)
+    let whole = is_whole(data, variant);
+    SIDES.map(|(column, _)| if whole { column.of_whole_run() } else { column })
 }
 
 /// Whether whole runs count. They do for regular waves, as earlier waves change later ones, and for

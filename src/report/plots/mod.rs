@@ -47,8 +47,6 @@ use super::load::Loaded;
 use super::markup::escape;
 use super::spoken::all_spoken;
 use super::variant::file_name;
-use crate::quantities::Column;
-use crate::quantities::summary::{DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX};
 #[cfg(feature = "print")]
 pub use text::FONT;
 
@@ -82,8 +80,6 @@ const SERIES: usize = 6;
 
 /// The caption's words for what each figure is one of.
 const COMBINATIONS: &str = "combinations of other keys";
-/// The responses that are drawn. The subject of the page's first answer comes first.
-const DRAWN: [&Column; 3] = [&FIRST_FORCE_MAX, &FIRST_RUNUP_MAX, &DISPLACEMENT_MAX];
 
 /// The style that a page needs for figures, in light and in dark.
 pub const STYLE: &str = include_str!("plots.css");

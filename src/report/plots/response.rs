@@ -5,11 +5,13 @@ use super::axes::Axis;
 use super::chart::{Chart, Curve, places, reach};
 use super::marks::{bounds, by, coupling, key, marks, picked, point, said, springless};
 use super::sheet::{Drawing, PANELS};
-use super::{DRAWN, Figure, SERIES, file_name, of_variant, printed};
+use super::{Figure, SERIES, file_name, of_variant, printed};
 use crate::math::words::capitalised;
 use crate::quantities::summary::{LOG10_K_STAR, M_STAR, WAVE_HEIGHT_RATIO};
 use crate::quantities::{Column, Unit};
-use crate::report::curves::{by_mass, distinct, has_curve, responses, spread, stem, variants};
+use crate::report::curves::{
+    RESPONSES, by_mass, distinct, has_curve, responses, spread, stem, variants,
+};
 use crate::report::load::Loaded;
 use crate::report::row::Row;
 
@@ -18,7 +20,7 @@ pub fn figures(data: &Loaded) -> Vec<Figure> {
     let waves = spread(&distinct(data.rows.iter(), &WAVE_HEIGHT_RATIO), SERIES);
     let mut figures = Vec::new();
     for variant in variants(&data.rows) {
-        for response in DRAWN {
+        for response in RESPONSES {
             let rows = responses(&data.rows, &variant, response);
             if !has_curve(&rows) {
                 continue;

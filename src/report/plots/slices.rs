@@ -6,10 +6,10 @@ use super::axes::Axis;
 use super::chart::{Chart, Curve, Point, places, points, reach};
 use super::marks::{bounds, by, coupling, key, marks, picked, point, said, springless};
 use super::sheet::{Drawing, PANELS};
-use super::{DRAWN, Figure, SERIES, file_name, of_variant};
+use super::{Figure, SERIES, file_name, of_variant};
 use crate::quantities::summary::{M_STAR, SPRING_STIFFNESS, WAVE_HEIGHT_RATIO};
 use crate::quantities::{Column, Unit};
-use crate::report::curves::{distinct, spread, variants};
+use crate::report::curves::{RESPONSES, distinct, spread, variants};
 use crate::report::load::Loaded;
 use crate::report::row::Row;
 
@@ -111,7 +111,7 @@ impl Slice {
                 "Largest force and runup of the first impact and largest displacement of the run \
                  against {}.{naught}{scale}{}{}{counts}{more}",
                 self.what,
-                marks(&rows, &DRAWN),
+                marks(&rows, &RESPONSES),
                 coupling(rows.iter().copied()),
             ),
             name: file_name(&format!("against-{}", self.name), variant),
@@ -123,7 +123,7 @@ impl Slice {
     /// no first impact and moves no wall: its panels would be empty.
     fn draws(&self, row: &Row) -> bool {
         let above = |column: &Column| row.number(column).is_some_and(|value| value > 0.0);
-        (above(self.along) || !self.logarithmic) && DRAWN.iter().any(|column| above(column))
+        (above(self.along) || !self.logarithmic) && RESPONSES.iter().any(|column| above(column))
     }
 
     /// A row of panels per value of the second parameter. Panels in a column share their axes.
@@ -156,7 +156,7 @@ impl Slice {
             let heading = said(rows.iter().copied(), self.rows, value);
             Some(chart.under(heading, key(self.rows, value)))
         };
-        let cells = held.iter().flat_map(|value| DRAWN.map(|column| panel(*value, column)));
+        let cells = held.iter().flat_map(|value| RESPONSES.map(|column| panel(*value, column)));
         cells.flatten().collect()
     }
 

@@ -13,8 +13,8 @@ use super::{Figure, SERIES, of_variant};
 use crate::math::lists::grouped;
 use crate::math::scale::Scale;
 use crate::quantities::summary::{
-    DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, OVERTOPPING_VOLUME, RUNUP_MAX,
-    SEAWALL_MASS, WAVE_HEIGHT_RATIO,
+    DISPLACEMENT_MAX, FIRST_FORCE_MAX, FORCE_MAX, OVERTOPPING_VOLUME, RESULTS, SEAWALL_MASS,
+    WAVE_HEIGHT_RATIO,
 };
 use crate::quantities::{Column, heading};
 use crate::report::curves::{distinct, has_curve, responses, spread, variants};
@@ -23,21 +23,10 @@ use crate::report::row::Row;
 use crate::report::study::Key;
 use crate::report::variant::{file_name, shorten, words};
 
-/// Each drawn column, with the one that replaces it where a case has no first impact. For regular
-/// waves the latter is drawn for all cases.
-const DRAWN: [(&Column, Option<&Column>); 4] = [
-    (&FIRST_FORCE_MAX, Some(&FORCE_MAX)),
-    (&FIRST_RUNUP_MAX, Some(&RUNUP_MAX)),
-    (&DISPLACEMENT_MAX, None),
-    (&OVERTOPPING_VOLUME, None),
-];
-
-/// The columns for these cases, and their replacements.
-fn drawn(group: &[Case]) -> [(&'static Column, Option<&'static Column>); 4] {
+/// The columns for these cases: of regular waves those of the whole run.
+fn drawn(group: &[Case]) -> [&'static Column; RESULTS.len()] {
     let regular = group.iter().any(|(_, row)| row.regular);
-    DRAWN.map(
-        |(column, whole)| if regular { (whole.unwrap_or(column), None) } else { (column, whole) },
-    )
+    RESULTS.map(|column| if regular { column.of_whole_run() } else { column })
 }
 
 /// One case: its place on the horizontal axis and its row.
@@ -179,7 +168,7 @@ fn picked_waves(group: &[Case]) -> String {
 fn caption(against: &str, group: &[Case]) -> String {
     let rows: Vec<_> = group.iter().map(|(_, row)| *row).collect();
     let has = |column| rows.iter().any(|row| row.number(column).is_some());
-    let drawn = drawn(group).map(|(column, _)| column);
+    let drawn = drawn(group);
     let lacks = rows.iter().any(|row| row.number(&FIRST_FORCE_MAX).is_none());
     let of = match has(&FIRST_FORCE_MAX) && !drawn.contains(&&FORCE_MAX) {
         false => "whole run",
@@ -206,8 +195,8 @@ fn drawing(
     let places = || group.iter().map(|(x, _)| *x);
     let wide = Scale::of(places()) == Scale::Log;
     let x = if wide { Axis::logarithmic(places()) } else { Axis::around(places(), 5.0) }?;
-    let chart = |(column, whole): (&'static Column, Option<&'static Column>)| {
-        let whole = whole.unwrap_or(column);
+    let chart = |column: &'static Column| {
+        let whole = column.of_whole_run();
         let point = |x: f64, row: &Row| point(row, x, column).or_else(|| point(row, x, whole));
         let mut curves = by(series, values, group, point);
         let y = Axis::around(reach(&curves), 6.0)?;

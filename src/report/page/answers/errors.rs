@@ -5,24 +5,24 @@ use crate::math::lists::median;
 use crate::math::words::listed;
 use crate::quantities::Column;
 use crate::quantities::summary::{
-    DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_MOMENT_MAX, FIRST_RUNUP_MAX, FORCE_MAX, MOMENT_MAX,
-    OVERTOPPING_VOLUME, RUNUP_MAX, WAVE_HEIGHT_RATIO,
+    DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_MOMENT_MAX, FIRST_RUNUP_MAX, OVERTOPPING_VOLUME,
+    WAVE_HEIGHT_RATIO,
 };
 use crate::report::load::Loaded;
 use crate::report::number::significant;
 use crate::report::page::words::{at, percent};
 use crate::report::row::Row;
 
-/// A number with a bar: its symbol, its column, the whole run's column, and whether the bar is in
-/// percent. Bars of runups are in depths, as still water has no runup. V is the volume over a crest.
-type Number = (&'static str, &'static Column, &'static Column, bool);
+/// A number with a bar: its symbol, its column, and whether the bar is in percent. Bars of runups
+/// are in depths, as still water has no runup. V is the volume over a crest.
+type Number = (&'static str, &'static Column, bool);
 
 const NUMBERS: [Number; 5] = [
-    ("F*", &FIRST_FORCE_MAX, &FORCE_MAX, true),
-    ("R*", &FIRST_RUNUP_MAX, &RUNUP_MAX, false),
-    ("X*", &DISPLACEMENT_MAX, &DISPLACEMENT_MAX, true),
-    ("M*", &FIRST_MOMENT_MAX, &MOMENT_MAX, true),
-    ("V", &OVERTOPPING_VOLUME, &OVERTOPPING_VOLUME, true),
+    ("F*", &FIRST_FORCE_MAX, true),
+    ("R*", &FIRST_RUNUP_MAX, false),
+    ("X*", &DISPLACEMENT_MAX, true),
+    ("M*", &FIRST_MOMENT_MAX, true),
+    ("V", &OVERTOPPING_VOLUME, true),
 ];
 
 /// The median bar and the widest bar of each number, or that there are none.
@@ -44,8 +44,7 @@ pub fn bars(data: &Loaded) -> Option<String> {
         let how = "error_bars = \"pair\" in [numerics] estimates how far each number may be off";
         return Some(format!("No error bars were asked for: {how}."));
     }
-    let (_, first, whole, _) = NUMBERS[0];
-    let with = |row: &&Row| row.error(row.impact(first, whole)).is_some();
+    let with = |row: &&Row| row.error(row.impact(&FIRST_FORCE_MAX)).is_some();
     let with = data.finished().filter(with).count();
     let without = match finished - with {
         0 => String::new(),
@@ -70,9 +69,9 @@ fn of_walls(data: &Loaded) -> bool {
 }
 
 fn bar(data: &Loaded, number: &Number) -> Option<String> {
-    let &(symbol, first, whole, relative) = number;
+    let &(symbol, column, relative) = number;
     let read = |row: &Row| {
-        let column = row.impact(first, whole);
+        let column = row.impact(column);
         let (bar, value) = (row.error(column)?, row.number(column)?);
         // Still water hardly moves a wall: a share of such a movement says nothing.
         let still = row.number(&WAVE_HEIGHT_RATIO) == Some(0.0);
@@ -103,8 +102,8 @@ fn bar(data: &Loaded, number: &Number) -> Option<String> {
 mod tests {
     use super::*;
     use crate::quantities::summary::{
-        DISPLACEMENT_ERROR, FORCE_ERROR, FORCE_MAX_ERROR, OVERTOPPING_VOLUME_ERROR, RUNUP_ERROR,
-        RUNUP_MAX_ERROR,
+        DISPLACEMENT_ERROR, FORCE_ERROR, FORCE_MAX, FORCE_MAX_ERROR, OVERTOPPING_VOLUME_ERROR,
+        RUNUP_ERROR, RUNUP_MAX, RUNUP_MAX_ERROR,
     };
     use crate::report::fixture;
 

@@ -14,7 +14,7 @@ const NOTABLE: f64 = 0.02;
 
 /// The column with the largest force of a case.
 pub fn column(row: &Row) -> &'static Column {
-    row.impact(&FIRST_FORCE_MAX, &FORCE_MAX)
+    row.impact(&FIRST_FORCE_MAX)
 }
 
 /// The row with the largest of these values.

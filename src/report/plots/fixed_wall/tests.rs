@@ -1,5 +1,5 @@
 use super::*;
-use crate::quantities::summary::FORCE_AT_REST;
+use crate::quantities::summary::{FORCE_AT_REST, FORCE_MAX};
 use crate::report::fixture;
 
 #[test]

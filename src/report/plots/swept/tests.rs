@@ -1,5 +1,5 @@
 use super::*;
-use crate::quantities::summary::{LOG10_K_STAR, SPRING_STIFFNESS};
+use crate::quantities::summary::{LOG10_K_STAR, RUNUP_MAX, SPRING_STIFFNESS};
 use crate::report::fixture;
 
 /// A sweep of masses at one stiffness, with the grid's keys in its manifest.
