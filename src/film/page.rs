@@ -11,6 +11,7 @@ use super::take::{Take, nearest};
 use super::title::{about, moment, title};
 use super::{at, is_read, still};
 use crate::disk;
+use crate::disk::names::{FILM_FILES, FILM_PAGE, FURTHEST, HIGHEST, STILL, film_file};
 use crate::math::decimal::significant;
 use crate::scene::CaseConfig;
 use crate::simulation::{CaseResult, cost};
@@ -50,18 +51,16 @@ impl PageFilm {
 
     /// The page of a case.
     pub fn path(&self, id: CaseId) -> PathBuf {
-        self.folder.join(format!("{id}.html"))
+        self.file(id, FILM_PAGE)
     }
 
     /// Every file that the film of a case may have.
     pub fn files(&self, id: CaseId) -> [PathBuf; 4] {
-        let page = self.path(id);
-        [self.still(id, "furthest"), self.still(id, "highest"), page.with_extension("svg"), page]
+        FILM_FILES.map(|ending| self.file(id, ending))
     }
 
-    /// A still of another instant than the largest force.
-    fn still(&self, id: CaseId, of: &str) -> PathBuf {
-        self.folder.join(format!("{id}-{of}.svg"))
+    fn file(&self, id: CaseId, ending: &str) -> PathBuf {
+        film_file(&self.folder, id, ending)
     }
 
     /// Writes the page, the still of one frame, and those of the highest runup and of the largest
@@ -94,9 +93,9 @@ impl PageFilm {
         let highest = if climbs { nearest(takes, result.outcome.runup_max.time_s) } else { crest };
         let other = |take: &&Take| take.time_s != crest_s;
         let moments = [
-            (page.with_extension("svg"), Some(&takes[crest]), true),
-            (self.still(id, "highest"), Some(&takes[highest]).filter(other), false),
-            (self.still(id, "furthest"), furthest(takes, stage.depth).filter(other), true),
+            (self.file(id, STILL), Some(&takes[crest]), true),
+            (self.file(id, HIGHEST), Some(&takes[highest]).filter(other), false),
+            (self.file(id, FURTHEST), furthest(takes, stage.depth).filter(other), true),
         ];
         for (picture, take, inside) in moments {
             let Some(take) = take else { continue };

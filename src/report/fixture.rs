@@ -3,12 +3,15 @@
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
+use std::sync::Arc;
 
 use tempfile::TempDir;
 
 use crate::quantities::Column;
 use crate::quantities::summary::first_version;
 use crate::report::load::Loaded;
+use crate::report::row::Row;
+use crate::report::study::{Key, StudyFile};
 
 /// What every row holds: one cell per line, `column=text`.
 const ENDED: &str = "steps=9000\nparticles=7800\nscheme=wcsph\nboundary=improved-shepard\n\
@@ -176,4 +179,22 @@ fn write_history(root: &Path, id: &str, wave: f64, wall: Wall) {
         writeln!(text, "{time:.4},{force:.5},{runup:.5},{displacement},0").unwrap();
     }
     fs::write(root.join(format!("histories/{id}.csv")), text).unwrap();
+}
+
+impl Loaded {
+    /// Rows with these cells of swept keys.
+    pub fn swept(keys: &[(&str, &[&str])]) -> Loaded {
+        let keys: Vec<_> = keys.iter().map(|(name, cells)| Key::new(name, *cells)).collect();
+        let rows = vec![Row::default(); keys.first().map_or(1, |key| key.cells.iter().len())];
+        Loaded { rows, keys, ..Loaded::default() }
+    }
+
+    /// The same rows as of this sweep file with these settings of the command line.
+    pub fn made_from(self, file: &str, overrides: &[&str]) -> Loaded {
+        let manifest =
+            serde_json::json!({ "name": "a", "sweep_file": file, "overrides": overrides });
+        let manifest = Some(manifest);
+        let file = StudyFile::of(manifest.as_ref()).map(Arc::new);
+        Loaded { manifest, file, ..self }
+    }
 }

@@ -16,7 +16,7 @@ use super::omitted::Omitted;
 use super::row::{Header, RECORDED, REGULAR, Row};
 use super::study::{Key, StudyFile, keys};
 use super::variant::name_variants;
-use crate::disk::names::{ENERGY, FILMS, MANIFEST, MAX_ERROR, SUMMARY};
+use crate::disk::names::{ENERGY, FILM_PAGE, FILMS, MANIFEST, MAX_ERROR, SUMMARY, film_file};
 use crate::keys::number;
 use crate::quantities::{named, summary};
 
@@ -122,43 +122,22 @@ impl Loaded {
     pub(super) fn filmed(&self) -> Vec<String> {
         let entries = fs::read_dir(self.directory.join(FILMS)).into_iter().flatten().flatten();
         let names = entries.map(|entry| entry.file_name().to_string_lossy().into_owned());
-        names.filter_map(|name| Some(name.strip_suffix(".html")?.to_owned())).collect()
+        names.filter_map(|name| Some(name.strip_suffix(FILM_PAGE)?.to_owned())).collect()
     }
 
     /// Whether a case was filmed.
     pub fn has_film(&self, row: &Row) -> bool {
-        let id = row.text(&summary::CASE_ID);
-        self.directory.join(FILMS).join(format!("{id}.html")).is_file()
+        film_file(&self.directory.join(FILMS), row.id(), FILM_PAGE).is_file()
     }
 
-    /// The text of a file of a case's film: `.html`, `.svg` or `-furthest.svg`.
+    /// The text of a file of a case's film, by how its name ends.
     pub(super) fn film(&self, row: &Row, ending: &str) -> Option<String> {
-        let id = row.text(&summary::CASE_ID);
-        fs::read_to_string(self.directory.join(FILMS).join(format!("{id}{ending}"))).ok()
+        fs::read_to_string(film_file(&self.directory.join(FILMS), row.id(), ending)).ok()
     }
 
     /// Rows of cases that failed.
     pub fn failed(&self) -> impl Iterator<Item = &Row> {
         self.rows.iter().filter(|row| !row.is_ok())
-    }
-}
-
-#[cfg(test)]
-impl Loaded {
-    /// Rows with these cells of swept keys.
-    pub fn swept(keys: &[(&str, &[&str])]) -> Loaded {
-        let keys: Vec<_> = keys.iter().map(|(name, cells)| Key::new(name, *cells)).collect();
-        let rows = vec![Row::default(); keys.first().map_or(1, |key| key.cells.iter().len())];
-        Loaded { rows, keys, ..Loaded::default() }
-    }
-
-    /// The same rows as of this sweep file with these settings of the command line.
-    pub fn made_from(self, file: &str, overrides: &[&str]) -> Loaded {
-        let manifest =
-            serde_json::json!({ "name": "a", "sweep_file": file, "overrides": overrides });
-        let manifest = Some(manifest);
-        let file = StudyFile::of(manifest.as_ref()).map(Arc::new);
-        Loaded { manifest, file, ..self }
     }
 }
 

@@ -6,7 +6,9 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use crate::disk::names::{HIGHEST_RUNUP, LARGEST_FORCE, REASONS};
+use crate::disk::names::{
+    FILM_PAGE, FURTHEST, HIGHEST, HIGHEST_RUNUP, LARGEST_FORCE, REASONS, STILL,
+};
 use crate::report::load::Loaded;
 use crate::report::markup::escape;
 use crate::report::row::Row;
@@ -40,18 +42,18 @@ fn figure(data: &Loaded, row: &Row, reason: Option<&String>, room: &mut usize) -
     let id = escape(row.id());
     let words = escape(&row.title());
     let why = reason.map_or_else(String::new, |reason| format!(" ({})", escape(reason)));
-    let page = data.film(row, ".html").unwrap_or_default();
+    let page = data.film(row, FILM_PAGE).unwrap_or_default();
     let film = embedded(&page, &id, room);
     // The stills show what the case was filmed for.
     let is_for = |what: &str| reason.is_some_and(|reason| reason.contains(what));
-    let first = match data.film(row, "-highest.svg") {
-        Some(_) if is_for(HIGHEST_RUNUP) && is_for(LARGEST_FORCE) => &[".svg", "-highest.svg"][..],
-        Some(_) if is_for(HIGHEST_RUNUP) => &["-highest.svg"],
-        _ => &[".svg"],
+    let first = match data.film(row, HIGHEST) {
+        Some(_) if is_for(HIGHEST_RUNUP) && is_for(LARGEST_FORCE) => &[STILL, HIGHEST][..],
+        Some(_) if is_for(HIGHEST_RUNUP) => &[HIGHEST],
+        _ => &[STILL],
     };
     let stills: String = first
         .iter()
-        .chain(&["-furthest.svg"])
+        .chain(&[FURTHEST])
         .filter_map(|ending| data.film(row, ending))
         .map(|still| still.find("<svg").map_or(String::new(), |start| still[start..].to_owned()))
         .collect();
