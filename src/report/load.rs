@@ -192,7 +192,7 @@ pub(super) fn read_records(path: &Path) -> Result<(StringRecord, Vec<StringRecor
 }
 
 /// The columns of a table, and its rows read one by one: a large table is never held whole.
-pub fn stream(
+pub(super) fn stream(
     path: &Path,
 ) -> Result<(StringRecord, impl Iterator<Item = Result<StringRecord, ReportError>>), ReportError> {
     let wrong = |source| ReportError::Table { path: path.to_owned(), source };
