@@ -18,6 +18,6 @@ pub use matrix::{Matrix, Trial};
 pub use max_error::{Choices, MaxError, Missed, Verified};
 pub use quantity::{Kind, Quantity};
 pub use refine::{Refinement, Round};
-pub use score::{Errors, MethodScore, Scored, cheapest_within, methods, score};
+pub use score::{MethodScore, Scored, methods, score};
 pub use stress::{Judged, Verdict, judge};
 pub use table::{AccuracyTable, Choice};

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::matrix::{Matrix, Trial};
 use super::quantity::{Kind, Quantity};
+use crate::quantities::accuracy::Errors;
 use crate::results::CaseRecord;
 
 /// The errors of one pair.
@@ -96,25 +97,6 @@ fn worst(record: &CaseRecord, truth: &BTreeMap<Quantity, f64>, kinds: &[Kind]) -
     errors.max_by(|a, b| a.abs().total_cmp(&b.abs()))
 }
 
-/// The errors that count for a method.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Errors {
-    /// All of them.
-    All,
-    /// Those of force and displacement, in the cases that have any.
-    Loads,
-}
-
-impl Errors {
-    /// The name in the column of cases for the sums of the group.
-    pub fn name(self) -> &'static str {
-        match self {
-            Errors::All => "all",
-            Errors::Loads => "loads",
-        }
-    }
-}
-
 /// Sums up each method that runs on every case, in the order of the matrix, and marks the Pareto
 /// front.
 pub fn methods(matrix: &Matrix, scored: &[Scored], group: Errors) -> Vec<MethodScore> {
@@ -158,12 +140,6 @@ pub fn methods(matrix: &Matrix, scored: &[Scored], group: Errors) -> Vec<MethodS
         score.pareto = score.error_percent.is_some() && !all.iter().any(better);
     }
     scores
-}
-
-/// The cheapest method whose error is within `percent`.
-pub fn cheapest_within(scores: &[MethodScore], percent: f64) -> Option<&MethodScore> {
-    let good = scores.iter().filter(|s| s.error_percent.is_some_and(|error| error <= percent));
-    good.min_by(|a, b| a.cpu_time_s.total_cmp(&b.cpu_time_s))
 }
 
 #[cfg(test)]
@@ -223,8 +199,6 @@ mod tests {
         let scores = methods(&matrix, &rows, Errors::All);
         let pareto: Vec<_> = scores.iter().map(|score| score.pareto).collect();
         assert_eq!(pareto, [true, false, true]);
-        let best = |percent| cheapest_within(&scores, percent).map(|score| score.method.as_str());
-        assert_eq!([best(10.0), best(1.0), best(0.1)], [Some("plain"), Some("plain-again"), None]);
         let failed = methods(&matrix, &[row("plain", None, 1.0)], Errors::All);
         assert_eq!((failed[0].failed, failed[0].pareto), (1, false));
     }

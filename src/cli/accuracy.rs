@@ -7,11 +7,12 @@ use super::matrix::{MatrixArgs, run};
 use super::output::{Output, json_path, short};
 use super::table::Table;
 use super::{CASES_FAILED, SUCCESS};
-use crate::accuracy::{Errors, MethodScore, Scored, cheapest_within, methods, score};
+use crate::accuracy::{MethodScore, Scored, methods, score};
 use crate::disk;
 use crate::disk::names::ACCURACY;
 use crate::keys::named;
-use crate::quantities::accuracy::{Line, csv};
+use crate::math::comma::csv_of;
+use crate::quantities::accuracy::{Errors, Line, TARGETS, cheapest_within};
 use crate::report::accuracy::write;
 
 /// Run many methods on cases with known answers. Tell the error and the processor time of each.
@@ -38,31 +39,31 @@ pub(super) fn main(args: &AccuracyArgs, output: &Output) -> anyhow::Result<u8> {
         return Ok(code);
     }
     let scored = score(&ran.matrix, &ran.pairs, &ran.records);
-    let [scores, loads] =
-        [Errors::All, Errors::Loads].map(|group| methods(&ran.matrix, &scored, group));
+    let [scores, loads] = Errors::EACH.map(|group| methods(&ran.matrix, &scored, group));
     let about: Vec<_> =
         ran.matrix.cases.iter().map(|case| (case.name.clone(), case.about.clone())).collect();
     let lines = lines(&scored, &[(Errors::All, &scores), (Errors::Loads, &loads)]);
-    disk::put(&ran.out.join(ACCURACY), csv(&lines))?;
+    disk::put(&ran.out.join(ACCURACY), csv_of(&lines))?;
     let page = write(&ran.out, &about)?;
     let mut table =
         Table::new(["method", "error, %", "worst, %", "cpu, s", "failed", "on the front"]);
-    let percent = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), short);
+    let told = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), short);
     for row in &scores {
         table.row([
             row.method.clone(),
-            percent(row.error_percent),
-            percent(row.worst_percent),
+            told(row.error_percent),
+            told(row.worst_percent),
             short(row.cpu_time_s),
             row.failed.to_string(),
             if row.pareto { "yes" } else { "" }.to_owned(),
         ]);
     }
     let mut text = format!("{}\n", table.render());
-    for (what, scores) in [("all quantities", &scores), ("force and displacement", &loads)] {
-        for target in [1.0, 3.0, 10.0] {
-            let best = match cheapest_within(scores, target) {
-                Some(best) => format!("{}, {} s", best.method, short(best.cpu_time_s)),
+    for group in Errors::EACH {
+        let what = group.words();
+        for target in TARGETS {
+            let best = match cheapest_within(&lines, group.name(), target) {
+                Some(best) => format!("{}, {} s", best.method, told(best.cpu_time_s)),
                 None => "none of these".to_owned(),
             };
             text.push_str(&format!("best at {target} %, {what}: {best}\n"));

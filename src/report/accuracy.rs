@@ -9,13 +9,7 @@ use super::tables::Table;
 use super::{make, save};
 use crate::disk::names::{ACCURACY, FIGURES};
 use crate::math::lists::different;
-use crate::quantities::accuracy::Line;
-
-/// Names that stand in place of a case where a row holds sums, and the titles of their tables.
-const GROUPS: [(&str, &str); 2] =
-    [("all", "Methods, all quantities"), ("loads", "Methods, force and displacement alone")];
-
-const TARGETS: [f64; 3] = [1.0, 3.0, 10.0];
+use crate::quantities::accuracy::{Errors, Line, TARGETS, cheapest_within};
 
 /// Writes `figures/error-against-time.svg` and `accuracy.md` into a directory that holds
 /// `accuracy.csv`; `about` says what each case is. Returns the page's path.
@@ -41,7 +35,7 @@ fn error_against_time(lines: &[Line]) -> Option<Figure> {
         let (open, note) = (line.pareto != "yes", line.method.clone());
         (x > 0.0 && y > 0.0).then(|| Point { open, told, note, ..(x, y).into() })
     };
-    let all = lines.iter().filter(|line| line.case == GROUPS[0].0);
+    let all = lines.iter().filter(|line| line.case == Errors::All.name());
     let points: Vec<_> = all.filter_map(point).collect();
     let x = Axis::logarithmic(points.iter().map(|point| point.x))?;
     let y = Axis::logarithmic(points.iter().map(|point| point.y))?;
@@ -71,7 +65,7 @@ fn page(lines: &[Line], about: &[(String, String)]) -> String {
         ![error against processor time](figures/error-against-time.svg)\n"
         .to_owned();
     let cases = different(lines.iter().map(|line| line.case.as_str()));
-    let tables = GROUPS.iter().map(|&(group, title)| methods(lines, group, title));
+    let tables = Errors::EACH.into_iter().map(|group| methods(lines, group));
     for table in tables.chain([cheapest(lines, &cases), every_pair(lines)]) {
         text.push_str(&format!("\n## {}\n\n{}", table.title, table.markdown()));
     }
@@ -83,8 +77,8 @@ fn page(lines: &[Line], about: &[(String, String)]) -> String {
 }
 
 /// The sums of all methods, the most accurate first.
-fn methods(lines: &[Line], group: &str, title: &str) -> Table {
-    let mut sorted: Vec<_> = lines.iter().filter(|line| line.case == group).collect();
+fn methods(lines: &[Line], group: Errors) -> Table {
+    let mut sorted: Vec<_> = lines.iter().filter(|line| line.case == group.name()).collect();
     let error = |line: &Line| line.error_percent.unwrap_or(f64::INFINITY);
     sorted.sort_by(|a, b| error(a).total_cmp(&error(b)));
     let row = |line: &&Line| {
@@ -93,27 +87,26 @@ fn methods(lines: &[Line], group: &str, title: &str) -> Table {
         vec![line.method.clone(), error, short(line.cpu_time_s), front]
     };
     let header = ["method", "error, %", "processor time, s", "on the Pareto front"];
-    Table::new("", title, &header, sorted.iter().map(row).collect())
+    let alone = if group == Errors::All { "" } else { " alone" };
+    let title = format!("Methods, {}{alone}", group.words());
+    Table::new("", &title, &header, sorted.iter().map(row).collect())
 }
 
 fn cheapest(lines: &[Line], cases: &[&str]) -> Table {
     let row = |case: &&str| {
         let best = TARGETS.map(|target| {
-            let good = |line: &&Line| {
-                line.case == **case && line.error_percent.is_some_and(|error| error <= target)
-            };
-            let time = |line: &&Line| line.cpu_time_s.unwrap_or(f64::INFINITY);
-            let best = lines.iter().filter(good).min_by(|a, b| time(a).total_cmp(&time(b)));
+            let best = cheapest_within(lines, case, target);
             best.map_or("none".to_owned(), |l| format!("{} ({} s)", l.method, short(l.cpu_time_s)))
         });
         std::iter::once((*case).to_owned()).chain(best).collect()
     };
-    let header = ["case", "1 %", "3 %", "10 %"];
+    let targets = TARGETS.map(|target| format!("{target} %"));
+    let header = [&["case".to_owned()][..], &targets].concat();
     Table::new("", "Cheapest within an error", &header, cases.iter().map(row).collect())
 }
 
 fn every_pair(lines: &[Line]) -> Table {
-    let is_pair = |line: &&Line| GROUPS.iter().all(|(group, _)| *group != line.case);
+    let is_pair = |line: &&Line| Errors::EACH.iter().all(|group| group.name() != line.case);
     let row = |line: &Line| {
         let mut cells = [
             line.force_error_percent,
@@ -140,7 +133,7 @@ fn short(value: Option<f64>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::quantities::accuracy::csv;
+    use crate::math::comma::csv_of;
 
     #[test]
     fn every_method_of_the_stored_table_has_room_for_its_name() {
@@ -179,7 +172,7 @@ mod tests {
             line("all", "slow", Some(0.5), 8.0, "yes"),
             line("all", "sick", None, 0.1, "no"),
         ];
-        std::fs::write(root.path().join("accuracy.csv"), csv(&lines)).unwrap();
+        std::fs::write(root.path().join("accuracy.csv"), csv_of(&lines)).unwrap();
         let about = [("a".to_owned(), "a case".to_owned())];
         let page = std::fs::read_to_string(write(root.path(), &about).unwrap()).unwrap();
         assert!(page.contains("| all | slow (8.00 s) | fast (1.00 s) | fast (1.00 s) |"), "{page}");
