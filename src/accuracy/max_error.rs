@@ -7,9 +7,9 @@ use serde::Serialize;
 use sha2::{Digest, Sha256};
 
 use super::table::{AccuracyTable, Choice, differences};
-use crate::math::comma::csv;
+use crate::math::comma::csv_of;
 use crate::math::digest::digits;
-use crate::quantities::summary::{CASE_ID, PARTICLE_SPACING};
+use crate::quantities::max_error::Line;
 use crate::results::{CaseRecord, ErrorBars, narrowest_bar_percent};
 use crate::scene::CaseConfig;
 use crate::simulation::{Maximum, finer_particles_may_clear};
@@ -158,20 +158,15 @@ impl MaxError {
 
     /// `max_error.csv`: the numerics of each case, and whether its bars meet the aim.
     pub fn csv(&self, study: &Study, verified: &[Verified]) -> String {
-        let (id, spacing) = (CASE_ID.name, PARTICLE_SPACING.name);
-        let header = [id, spacing, "numerics", "error_bar_percent", "max_error_percent", "met"];
-        let row = |of: &Verified| {
-            let case = &study.cases[of.index];
-            [
-                case.id.to_string(),
-                of.spacing_m.to_string(),
-                differences(&case.config),
-                of.bar_percent.map(|bar| bar.to_string()).unwrap_or_default(),
-                self.percent.to_string(),
-                of.missed.is_none().to_string(),
-            ]
+        let line = |of: &Verified| Line {
+            case_id: study.cases[of.index].id.to_string(),
+            particle_spacing_m: of.spacing_m,
+            numerics: differences(&study.cases[of.index].config),
+            error_bar_percent: of.bar_percent,
+            max_error_percent: self.percent,
+            met: of.missed.is_none(),
         };
-        csv([header.map(str::to_owned)].into_iter().chain(verified.iter().map(row)))
+        csv_of(&verified.iter().map(line).collect::<Vec<_>>())
     }
 }
 

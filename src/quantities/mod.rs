@@ -3,7 +3,7 @@
 //!
 //! [`summary`] declares the columns of `summary.csv`, [`history`] those of `histories/*.csv`,
 //! [`energy`] those of `energy.csv`, [`envelope`] those of `envelopes/*.csv`, [`wave`] those of
-//! `waves/*.csv`, and [`accuracy`] those of `accuracy.csv`. The sweep writes its files from the
+//! `waves/*.csv`, [`accuracy`] those of `accuracy.csv`, [`max_error`] those of `max_error.csv`. The sweep writes its files from the
 //! declarations, the terminal and the report take headings and digits from them, and `docs/files.md`
 //! holds their tables. To add a quantity, add an entry to one of the lists.
 //!
@@ -17,6 +17,7 @@ mod docs;
 pub mod energy;
 pub mod envelope;
 pub mod history;
+pub mod max_error;
 pub mod summary;
 mod symbol;
 mod unit;

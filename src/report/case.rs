@@ -11,6 +11,7 @@ use super::column::Cells;
 use super::load::Loaded;
 use super::row::Row;
 use crate::keys::read_value;
+use crate::quantities::max_error::Line;
 use crate::quantities::summary::{BOUNDARY, KERNEL, PARTICLE_SPACING, SCHEME};
 use crate::scene::CaseConfig;
 
@@ -85,11 +86,9 @@ const UNKNOWN: &str = "?";
 
 /// The numerics of each row in `max_error.csv`; `None` where there is no such file.
 pub(super) fn chosen(path: &Path, rows: &[Row]) -> Option<Cells> {
-    let mut reader = csv::Reader::from_path(path).ok()?;
-    let of = reader.headers().ok()?.iter().position(|name| name == "numerics")?;
-    let cases = reader.records().map_while(Result::ok);
-    let cases = cases.filter_map(|case| Some((case.get(0)?.to_owned(), case.get(of)?.to_owned())));
-    let cases: HashMap<_, _> = cases.collect();
+    let lines = csv::Reader::from_path(path).ok()?.into_deserialize::<Line>();
+    let cases: HashMap<_, _> =
+        lines.map_while(Result::ok).map(|line| (line.case_id, line.numerics)).collect();
     Some(rows.iter().map(|row| cases.get(row.id()).map_or(UNKNOWN, String::as_str)).collect())
 }
 

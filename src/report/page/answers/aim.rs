@@ -4,6 +4,7 @@ use std::path::Path;
 
 use crate::disk::names::MAX_ERROR;
 use crate::math::words::counted;
+use crate::quantities::max_error::Line;
 use crate::report::load::Loaded;
 
 /// How many cases have force and displacement within the wanted error; `None` without such an aim.
@@ -12,15 +13,12 @@ pub fn met(data: &Loaded) -> Option<String> {
 }
 
 fn read(path: &Path) -> Option<String> {
-    let mut reader = csv::Reader::from_path(path).ok()?;
-    let headers = reader.headers().ok()?.clone();
-    let place = |wanted: &str| headers.iter().position(|name| name == wanted);
-    let (percent, met) = (place("max_error_percent")?, place("met")?);
-    let rows: Vec<_> = reader.records().map_while(Result::ok).collect();
-    let percent = rows.first()?.get(percent)?;
-    let kept = rows.iter().filter(|row| row.get(met) == Some("true")).count();
-    let cases = counted(rows.len(), "case");
-    let rest = if kept < rows.len() { "; max_error.csv tells which" } else { "" };
+    let lines = csv::Reader::from_path(path).ok()?.into_deserialize();
+    let lines: Vec<Line> = lines.map_while(Result::ok).collect();
+    let percent = lines.first()?.max_error_percent;
+    let kept = lines.iter().filter(|line| line.met).count();
+    let cases = counted(lines.len(), "case");
+    let rest = if kept < lines.len() { "; max_error.csv tells which" } else { "" };
     Some(format!(
         "By their error bars force and displacement are within the {percent} % that were asked for in {kept} of \
          {cases}{rest}."
