@@ -1,8 +1,12 @@
 //! Goda's formula beside the force of each case on an upright wall. The scene gives the depth at
 //! the wall, a crest and regular waves.
 
+use std::cell::RefCell;
+use std::collections::HashMap;
+
 use super::load::Loaded;
-use super::row::Row;
+use super::row::{PLACE, Row};
+use super::study::Key;
 use crate::body::WaveTrainKeys;
 use crate::quantities::summary::{FIRST_FORCE_MAX, MEASURED_WAVE_HEIGHT_RATIO, WAVE_HEIGHT_RATIO};
 use crate::scene::SeawallScene;
@@ -57,15 +61,34 @@ impl Setting {
     }
 }
 
-/// The setting of a row's case; `None` where no wave meets an upright wall in still water, or its
-/// scene is not known. Without the study's file it is the plain one.
-pub fn setting_of(data: &Loaded, place: usize) -> Option<Setting> {
-    if !data.rows[place].is_vertical() {
-        return None;
+/// The settings of a study's cases. Cases that differ in wave, stiffness and mass alone share one.
+pub struct Settings<'a> {
+    data: &'a Loaded,
+    /// The other swept keys.
+    keys: Vec<&'a Key>,
+    known: RefCell<HashMap<Vec<&'a str>, Option<Setting>>>,
+}
+
+impl<'a> Settings<'a> {
+    /// The settings of this study.
+    pub fn of(data: &'a Loaded) -> Settings<'a> {
+        let other = |key: &&Key| PLACE.iter().all(|column| column.name != key.name);
+        Settings { data, keys: data.keys.iter().filter(other).collect(), known: RefCell::default() }
     }
-    match &data.file {
-        None => Some(Setting::PLAIN),
-        Some(_) => setting(data.case(place)?.scene.seawall()?),
+
+    /// The setting of a row's case; `None` where no wave meets an upright wall in still water, or
+    /// its scene is not known. Without the study's file it is the plain one.
+    pub fn at(&self, place: usize) -> Option<Setting> {
+        if !self.data.rows[place].is_vertical() {
+            return None;
+        }
+        let cells = self.keys.iter().map(|key| &key.cells[place]).collect();
+        let mut known = self.known.borrow_mut();
+        let made = || match &self.data.file {
+            None => Some(Setting::PLAIN),
+            Some(_) => setting(self.data.case(place)?.scene.seawall()?),
+        };
+        *known.entry(cells).or_insert_with(made)
     }
 }
 
@@ -132,9 +155,10 @@ mod tests {
         let beds = ["[[0, 0], [1, 0], [2.5, 0.1]]", "[[0, 0], [1, 0], [2.5, 0.15]]"];
         let data =
             Loaded::swept(&[("bed", &beds)]).made_from("[scene]\nwave_height_ratio = 0.3", &[]);
+        let settings = Settings::of(&data);
         let row = Row::default().with(&FORCE_MAX, 5.828).with(&WAVE_HEIGHT_RATIO, 0.3);
-        let over = setting_of(&data, 0).unwrap().over(&row).unwrap();
+        let over = settings.at(0).unwrap().over(&row).unwrap();
         assert!((over - 2.0).abs() < 1e-9, "{over}");
-        assert_ne!(setting_of(&data, 0), setting_of(&data, 1));
+        assert_ne!(settings.at(0), settings.at(1));
     }
 }

@@ -15,7 +15,7 @@ use crate::quantities::summary::{
     FIRST_FORCE_MAX, FIRST_RUNUP_MAX, MEASURED_WAVE_HEIGHT_RATIO, WAVE_HEIGHT_RATIO,
 };
 use crate::report::curves::{spread, variants};
-use crate::report::goda::{Setting, setting_of};
+use crate::report::goda::{Setting, Settings};
 use crate::report::load::Loaded;
 use crate::report::number::significant;
 use crate::report::row::Row;
@@ -25,7 +25,7 @@ const SIDES: [(&Column, usize); 2] = [(&FIRST_RUNUP_MAX, 1), (&FIRST_FORCE_MAX, 
 
 /// The figure of every variant with fixed walls and waves.
 pub fn figures(data: &Loaded) -> Vec<Figure> {
-    let key = swept::key(data);
+    let (key, settings) = (swept::key(data), Settings::of(data));
     let walls_of = |variant: String| {
         let (places, rows): (Vec<_>, Vec<_>) = walls(data, &variant).unzip();
         // A lone point makes no curve. It gets a figure only beside the exact wave, and if no other
@@ -48,7 +48,7 @@ pub fn figures(data: &Loaded) -> Vec<Figure> {
         let measured = !regular && rows.iter().all(known);
         let height = if measured { "measured at the gauge" } else { "nominal" };
         let pressed = rows.iter().any(|row| row.number(sides[1].0) != Some(0.0));
-        let beside = if pressed { Beside::of(data, &places) } else { Beside::Nothing };
+        let beside = if pressed { Beside::of(&settings, &places) } else { Beside::Nothing };
         let (shown, what, at, told) = match pressed {
             true => {
                 let told = beside.caption(rows.iter().all(|row| row.is_vertical()));
@@ -112,8 +112,8 @@ enum Beside {
 }
 
 impl Beside {
-    fn of(data: &Loaded, places: &[usize]) -> Beside {
-        let each: Vec<_> = places.iter().map(|place| setting_of(data, *place)).collect();
+    fn of(settings: &Settings, places: &[usize]) -> Beside {
+        let each: Vec<_> = places.iter().map(|place| settings.at(*place)).collect();
         match &each[..] {
             all if all.iter().all(|one| one.is_some_and(Setting::is_plain)) => Beside::Exact,
             all if all.iter().any(Option::is_some) => Beside::Goda(each),

@@ -8,7 +8,7 @@ mod readings;
 mod table;
 
 use super::curves::{RESPONSES, responses, stem, variants};
-use super::goda::{OVER_GODA, setting_of};
+use super::goda::{OVER_GODA, Settings};
 use super::load::Loaded;
 use super::plots::{fixed_walls, sides};
 use super::row::{PLACE, Row};
@@ -44,8 +44,8 @@ fn variant<'a>(mut rows: impl Iterator<Item = &'a Row>) -> Option<Field<'static>
 
 /// The force over Goda's at an upright wall; empty at other walls.
 fn over_goda(data: &Loaded) -> Field<'_> {
-    let over =
-        move |place, row: &Row| or_empty(setting_of(data, place).and_then(|at| at.over(row)));
+    let settings = Settings::of(data);
+    let over = move |place, row: &Row| or_empty(settings.at(place).and_then(|at| at.over(row)));
     (OVER_GODA, Box::new(over))
 }
 
