@@ -196,7 +196,7 @@ fn a_wall_that_breaks_loose_has_borne_its_limit() {
         for k in 0..2000 {
             let time = 0.001 * f64::from(k);
             let ([force, runup, displacement], stops) = slides(time);
-            measures.push(Reading { time, force, runup, displacement, stops }, None, None);
+            measures.push(StepReading { time, force, runup, displacement, stops }, None, None);
             if let (1000, Some((step, rested))) = (k, step) {
                 measures.note(time, 0.001, step, rested);
             }
