@@ -98,6 +98,11 @@ impl Printed {
         matches!(self.unit.as_str(), "h" | "½ρgh²" | "m") && self.read != Read::Words
     }
 
+    /// Of the ratio of a step's time to that with improved Shepard: the interpolator.
+    pub fn timed_boundary(&self) -> Option<&str> {
+        self.quantity.strip_prefix("step_time_of_")
+    }
+
     /// The difference up to which a computed value counts as the same. It is 0.05 s for times, five
     /// points for percentages, and otherwise 5 %. For forces, runups and displacements it is at
     /// least 0.02.

@@ -32,7 +32,7 @@ pub fn of(
     if let Some(maximum) = name.strip_suffix("_time_s").and_then(named) {
         return Ok(on_their_clock(row, row.time(maximum)));
     }
-    if let Some(boundary) = name.strip_prefix("step_time_of_") {
+    if let Some(boundary) = printed.timed_boundary() {
         return Ok(step_time_ratio(row, boundary, all));
     }
     let id = row.id();
@@ -66,7 +66,7 @@ fn place(displacement: f64, config: &Config) -> Option<f64> {
 }
 
 /// The time of a step over that of the same case with the reference interpolator.
-fn step_time_ratio(row: &Row, boundary: &str, all: &[(&Row, &Config)]) -> Option<f64> {
+pub fn step_time_ratio(row: &Row, boundary: &str, all: &[(&Row, &Config)]) -> Option<f64> {
     if row.text(&BOUNDARY) != boundary {
         return None;
     }
@@ -83,7 +83,7 @@ fn step_time_ratio(row: &Row, boundary: &str, all: &[(&Row, &Config)]) -> Option
     Some(step_time(row)? / step_time(reference.0)?)
 }
 
-/// Wall time of a step, seconds.
+/// Wall time of a step, seconds, of a case that ran from rest.
 pub fn step_time(row: &Row) -> Option<f64> {
     let steps = row.number(&STEPS).filter(|&steps| steps > 0.0)?;
     row.number(&WALL_TIME).map(|time| time / steps).filter(|&time| time > 0.0)

@@ -4,26 +4,31 @@
 //! page's section "The papers", and markers in other figures. The numbers are in [`crate::papers`].
 
 mod agreement;
+mod cases;
 mod collective;
 mod computed;
 mod nearest;
 mod sentences;
 mod table;
+mod timed;
 
-use super::config::{Config, configs};
+use super::config::Config;
 use super::error::ReportError;
 use super::grid::grid;
 use super::load::Loaded;
 use super::markup::escape;
 use super::plots::{Figure, Place};
-use super::row::{PLACE, Row};
+use super::row::Row;
 use super::tables::Table;
-use crate::papers::{Printed, Read, printed, scenes};
+use crate::papers::{Printed, Read, printed};
 use crate::quantities::summary::FORCE_COUPLING;
 
+pub use cases::Cases;
+use cases::{of_scene, printed_for};
 pub(super) use computed::{column, on_their_clock, step_time};
 pub use sentences::{answer, method, sentences};
 pub use table::{beside, others, tidy};
+pub use timed::times_left_out;
 
 /// A printed number and the value of a case that is compared with it.
 #[derive(Debug, Clone)]
@@ -67,43 +72,13 @@ impl Found<'_> {
     }
 }
 
-/// The cases of a study with all their values.
-#[derive(Debug)]
-pub struct Cases<'a> {
-    pub(super) data: &'a Loaded,
-    configs: Vec<Option<Config>>,
-}
-
-impl<'a> Cases<'a> {
-    /// The cases of this study.
-    pub fn of(data: &'a Loaded) -> Cases<'a> {
-        Cases { data, configs: configs(data) }
-    }
-
-    /// Finished cases with their values.
-    pub(super) fn finished(&self) -> impl Iterator<Item = (&'a Row, &Config)> {
-        let pairs = self.data.rows.iter().zip(&self.configs);
-        pairs
-            .filter_map(|(row, config)| Some((row, config.as_ref()?)))
-            .filter(|(row, _)| row.is_ok())
-    }
-}
-
-/// Every printed number that the study has a case for, in the papers' order.
+/// Every printed number that the study has a case for, in the papers' order. Times per step are
+/// among them where [`timed::tells_times`].
 pub fn confront<'a>(cases: &'a Cases<'a>) -> Result<Vec<Found<'a>>, ReportError> {
-    let mut all = Vec::new();
-    for (row, config) in cases.finished() {
-        all.extend(scenes(&config.scene).map(|scene| (scene, row, config)));
-    }
+    let (all, times) = (of_scene(cases), timed::tells_times(cases.data));
     let mut found = Vec::new();
-    for number in printed() {
-        let own: Vec<_> = all
-            .iter()
-            .filter(|(scene, row, _)| {
-                *scene == number.scene && number.holds_at(PLACE.map(|column| row.number(column)))
-            })
-            .map(|&(_, row, config)| (row, config))
-            .collect();
+    for number in printed().iter().filter(|one| times || one.timed_boundary().is_none()) {
+        let own = printed_for(number, &all);
         if let Some(kind) = collective::Kind::of(&number.quantity) {
             found.extend(kind.found(number, &own));
             continue;
@@ -141,14 +116,16 @@ pub struct Papers {
 pub fn papers(data: &Loaded) -> Result<Papers, ReportError> {
     let cases = Cases::of(data);
     let found = confront(&cases)?;
+    let left_out = times_left_out(&cases);
     if found.is_empty() {
-        return Ok(Papers { answer: nearest::nearest(data), ..Papers::default() });
+        let (answer, sentences) = (nearest::nearest(data), left_out.into_iter().collect());
+        return Ok(Papers { answer, sentences, ..Papers::default() });
     }
     Ok(Papers {
         tidy: Some(tidy(&found)),
         beside: Some(beside(&found)),
         answer: Some(answer(&found)),
-        sentences: sentences(&found),
+        sentences: sentences(&found).into_iter().chain(left_out).collect(),
         figures: agreement::figure(&found).into_iter().collect(),
     })
 }

@@ -31,7 +31,7 @@ pub fn sentences(found: &[Found]) -> Vec<String> {
     }
     let is_time = |found: &&Found| found.printed.unit == "s";
     let flat = |found: &&Found| found.printed.unit == "%" || found.printed.read == Read::Words;
-    let step = |found: &&Found| found.printed.quantity.starts_with("step_time");
+    let step = |found: &&Found| found.printed.timed_boundary().is_some();
     let front = |found: &&Found| found.printed.scene == "dam-break" && !step(found);
     said.extend(tally(
         "Times on the papers' clock",
@@ -113,7 +113,7 @@ fn tally(what: &str, found: &[&Found]) -> Option<String> {
     let are = is_or_are(met, found.len());
     let mut text = format!("{what}: {met} of {numbers} {are} met");
     let by = |one: &Found| one.percent().unwrap_or(0.0).abs();
-    let in_percent = first.printed.is_size() || first.printed.quantity.starts_with("step_time");
+    let in_percent = first.printed.is_size() || first.printed.timed_boundary().is_some();
     let size = |one: &Found| if in_percent { by(one) } else { one.difference().abs() };
     let all: Vec<f64> = found.iter().map(|one| size(one)).collect();
     let worst = found.iter().max_by(|a, b| size(a).total_cmp(&size(b)))?;

@@ -159,7 +159,7 @@ fn place(found: &Found) -> String {
     let row = found.row;
     let mut parts = row.place_in_words();
     let told = [&BOUNDARY];
-    let tells_boundary = found.printed.quantity.starts_with("step_time");
+    let tells_boundary = found.printed.timed_boundary().is_some();
     parts.extend(others(row, if tells_boundary { &told } else { &[] }));
     parts.join(", ")
 }

@@ -22,6 +22,7 @@ use super::papers::{self, Cases, Found, confront};
 use super::plots::{self, Chart, Drawing, Figure, Layout};
 use super::row::Row;
 use super::tables::Table;
+use crate::math::lists::different;
 use crate::papers::{Draw, Recipe, paper};
 use crate::quantities::summary::{DOUBTFUL, STROKE_CENTRE};
 
@@ -135,6 +136,7 @@ pub fn reproduce(recipe: &Recipe, directories: &[PathBuf]) -> Result<Reproduced,
     } else {
         papers::sentences(&found)
     };
+    sentences.extend(different(cases.iter().filter_map(papers::times_left_out)));
     sentences.extend(cases.iter().filter_map(|study| doubted(study.data, cases.len() > 1)));
     Ok(Reproduced {
         figure: Figure {
@@ -171,7 +173,8 @@ fn belongs(recipe: &Recipe, draw: &Draw, found: &Found) -> bool {
     let drawn = match draw {
         Draw::Response { column } => name == column,
         Draw::Histories { .. } => {
-            !name.starts_with("step_time") && printed.log10_k_star.is_none() && printed.unit != "%"
+            let timed = printed.timed_boundary().is_some();
+            !timed && printed.log10_k_star.is_none() && printed.unit != "%"
         }
         Draw::Walls => printed.scene == "fixed" && printed.is_size(),
         _ => false,

@@ -63,7 +63,7 @@ fn curves(rows: &[&Row], names: &[&str], y: impl Fn(f64, f64) -> Option<f64>) ->
 /// Printed ratios at the right end; each stands once with its interpolator's name.
 fn marks(material: &Material, particles: f64) -> Vec<Point> {
     different(material.found.iter().filter_map(|found| {
-        let note = found.printed.quantity.strip_prefix("step_time_of_")?.to_owned();
+        let note = found.printed.timed_boundary()?.to_owned();
         let place = (particles, found.printed.value);
         Some(Point { note, ..printed_point(place, &Row::default(), found.printed) })
     }))
