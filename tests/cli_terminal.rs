@@ -181,6 +181,30 @@ fn keys_and_columns_are_explained() {
     assert_eq!(object["entries"][0]["allowed"], "0.001 to 2.5");
 }
 
+/// The story: of a key of numerics only the default was explained, though a preset gave another value.
+#[test]
+fn what_presets_make_of_a_key_is_explained() {
+    let told = |name: &str| ended(0, &["explain", name]).out;
+    assert!(
+        told("numerics.kernel").contains("or         \"gaussian\" with preset = \"huang2019\"")
+    );
+    let viscosity = told("artificial_viscosity");
+    for line in
+        ["or         0.02 with preset = \"huang2019\"", "or         0.1 with preset = \"isph\""]
+    {
+        assert!(viscosity.contains(line), "{viscosity}");
+    }
+    assert!(told("time_step_s").contains("0.0005 with preset"));
+    assert!(!told("courant_number").contains("\"isph\""), "its scheme does not read it");
+    assert!(!told("shepard_lambda").contains("preset"));
+    let presets = |name: &str| {
+        let entries = ended(0, &["explain", name, "--format", "json"]).json()["entries"].clone();
+        entries[0]["presets"].clone()
+    };
+    assert_eq!(presets("time_step_s"), serde_json::json!({ "huang2019": "0.0005" }));
+    assert!(presets("shepard_lambda").is_null());
+}
+
 #[test]
 fn a_case_of_a_study_is_shown_and_runs_alone_as_the_same_case() {
     let (desk, _) = study();

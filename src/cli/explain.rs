@@ -74,7 +74,9 @@ fn explained(entry: &Entry) -> String {
         ("allowed", &entry.allowed),
         ("default", &entry.default),
     ];
-    lines.extend(entry.suited.iter().map(|told| ("or", told)));
+    let of_preset = |(name, value): (&&str, &String)| format!("{value} with preset = \"{name}\"");
+    let presets: Vec<_> = entry.presets.iter().map(of_preset).collect();
+    lines.extend(presets.iter().chain(&entry.suited).map(|told| ("or", told)));
     let read = if entry.read_only.is_empty() { "" } else { "with " }.to_owned() + &entry.read_only;
     lines.extend([("only with", &entry.only), ("read only", &read), ("see also", &entry.besides)]);
     for (label, value) in lines.into_iter().filter(|(_, value)| !value.is_empty()) {

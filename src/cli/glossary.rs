@@ -1,10 +1,12 @@
 //! Every declared key and column, in words.
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
-use crate::keys::Key;
+use crate::keys::{Key, Section};
 use crate::quantities::{Quantity, energy, envelope, history, named, summary, wave};
-use crate::scene::{Kind, numerics_keys, other_defaults, probe_keys, scene_keys};
+use crate::scene::{Kind, Numerics, Preset, numerics_keys, other_defaults, probe_keys, scene_keys};
 use crate::study::{accuracy_keys, limits_keys, refine_keys};
 
 /// The place of the keys of numerics.
@@ -40,6 +42,9 @@ pub(super) struct Entry {
     /// What it holds by default in some scenes, where that is something else.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub suited: Vec<String>,
+    /// What presets make the default, where that is something else.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub presets: BTreeMap<&'static str, String>,
     /// Where a key is allowed, if not everywhere.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub only: String,
@@ -119,10 +124,25 @@ fn of_key(key: &Key, of: &str) -> Entry {
         allowed: key.allowed_in_words(),
         default: key.default_in_words(),
         suited: others.map(|told| without_links(&told)).collect(),
+        presets: if of == NUMERICS { of_presets(key) } else { BTreeMap::new() },
         only: key.allowed_where(),
         read_only: key.read_where(),
         ..Entry::default()
     }
+}
+
+/// What the presets give a key, where they differ from the default and their scheme reads it.
+fn of_presets(key: &Key) -> BTreeMap<&'static str, String> {
+    let presets = [("huang2019", Preset::Huang2019), ("isph", Preset::Isph)];
+    let own = presets.into_iter().filter_map(|(name, preset)| {
+        let table = Numerics::preset(preset).table();
+        let scheme = table.get("scheme").and_then(toml::Value::as_str).unwrap_or("wcsph");
+        let only = key.rule.only.filter(|when| when.key == "scheme");
+        let is_read = only.is_none_or(|when| when.values.contains(&scheme));
+        let value = table.get(key.name).filter(|_| is_read)?.to_string();
+        (value != key.default_in_words()).then_some((name, value))
+    });
+    own.collect()
 }
 
 fn of_summary(column: &crate::quantities::Column) -> Entry {
