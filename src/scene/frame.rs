@@ -102,6 +102,13 @@ impl Frame {
         VISCOUS_SPEED * self.speed_squared().sqrt()
     }
 
+    /// Δt/√(Δx/g) of incompressible water. `time_step_s` may make it less than the key tells.
+    pub fn gravity_number(&self, numerics: &Numerics) -> f64 {
+        let unit = (numerics.particle_spacing_m / self.acceleration()).sqrt();
+        let most = numerics.time_step_s.map_or(f64::INFINITY, |step| step / unit);
+        numerics.incompressible().gravity_courant_number.min(most)
+    }
+
     /// Time step, seconds.
     ///
     /// Sound bounds c0 Δt/Δx, more tightly for supports narrower than 3.9 Δx. In incompressible

@@ -244,7 +244,7 @@ impl Facts<'_> {
 
     /// Whether the operator for the pressure leaves divergence at such steps.
     pub fn leaves_divergence(&self) -> bool {
-        let own = self.numerics.incompressible();
-        !self.weakly && own.gravity_courant_number > 0.035 && own.laplacian != Laplacian::Exact
+        let leaves = self.numerics.incompressible().laplacian != Laplacian::Exact;
+        !self.weakly && leaves && self.scene().frame().gravity_number(self.numerics) > 0.035
     }
 }
