@@ -41,6 +41,11 @@ pub(super) const LEANING: &[Limit] = &[
          runups were 8 to 20 % lower at ten rows than at twenty",
     ),
     (
+        |case| case.weakly && case.angle > 60.0 && case.angle <= 80.0 && case.wave >= 0.55 - 1e-9,
+        "wall_angle_deg of 60 to 80 under H/h of 0.55 and more: at 72 degrees and 0.65 the runup was 1.78, 1.92 and 2.14 h at \
+         14.5, 10 and 7.25 mm; six runs at 65 to 80 degrees, 0.55 and 0.65 and 10 mm were doubtful",
+    ),
+    (
         |case| case.weakly && case.angle >= 115.0 && case.wave >= 0.3,
         "wall_angle_deg of 115 and more under H/h of 0.3 and more: at 0.5 runups at ten rows were 6 % (120 degrees), \
          9 % (134) and 13 % (148) lower than at twenty, where that at 148 still was 4 % lower than at 28; error bars \

@@ -1,5 +1,7 @@
 use super::*;
 
+mod measured;
+
 #[test]
 fn each_limit_is_told_and_the_default_is_clear_of_them() {
     let count = |scene: &str, numerics: &str| limits(&CaseConfig::of(scene, numerics)).len();

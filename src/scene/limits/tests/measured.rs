@@ -1,0 +1,44 @@
+use super::*;
+
+/// The story: still water of `huang2019` with another boundary grew restless, and "3.3 % off" was told; steep waves at
+/// walls of 72 degrees, and high ones over a crest, passed without a word; and steps of 1 ms were told to be too long,
+/// as only another key was looked at.
+#[test]
+fn what_was_measured_of_presets_walls_crests_and_steps_is_told() {
+    let told = |scene: &str, numerics: &str, words: &str| {
+        limits(&CaseConfig::of(scene, numerics)).iter().any(|limit| limit.contains(words))
+    };
+    let still = |numerics: &str| {
+        let still = "kind = \"hydrostatic\"\nend_time_s = 5";
+        ["3.3 %", "grows restless"].map(|words| told(still, numerics, words))
+    };
+    let normalized = "boundary = \"normalized\"";
+    let source = format!("preset = \"huang2019\"\n{normalized}");
+    assert_eq!(still(&source), [false, true]);
+    assert_eq!(still(&format!("{source}\nghost_gravity = \"in-sum\"")), [false, false]);
+    assert_eq!(still(&format!("{normalized}\nghost_gravity = \"at-mirror\"")), [true, false]);
+    let leaning = |angle: f64, wave: f64| {
+        let wall = format!("wall_angle_deg = {angle}\nwave_height_ratio = {wave}");
+        told(&wall, "", "1.78, 1.92 and 2.14 h")
+    };
+    let at_72 = [0.5, 0.55, 0.65].map(|wave| leaning(72.0, wave));
+    assert_eq!(at_72, [false, true, true]);
+    assert_eq!([60.0, 80.0, 85.0].map(|angle| leaning(angle, 0.65)), [false, true, false]);
+    let crest = |wave: f64, spacing: f64| {
+        let crest =
+            "tank_length_m = 2\nbehind = \"outflow\"\ncrest_freeboard_m = 0.1\ncrest_width_m = 0.1";
+        let numerics = format!("particle_spacing_m = {spacing}");
+        told(&format!("{crest}\nwave_height_ratio = {wave}"), &numerics, "M* up to 4.2 %")
+    };
+    assert_eq!(
+        [(0.5, 0.016), (0.65, 0.016), (0.65, 0.01)].map(|(h, d)| crest(h, d)),
+        [false, true, false]
+    );
+    let steps = |own: &str| {
+        let numerics = format!("scheme = \"isph\"\nlaplacian = \"schwaiger\"\n{own}");
+        told("", &numerics, "leaves divergence")
+    };
+    let short = ["gravity_courant_number = 0.035", "time_step_s = 0.0009"];
+    assert_eq!(short.map(steps), [false; 2]);
+    assert_eq!(["", "time_step_s = 0.002"].map(steps), [true; 2]);
+}
