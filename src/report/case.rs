@@ -1,17 +1,11 @@
 //! The case behind a row, made again: the study's file with the settings of its command line, the
 //! swept keys in the row, and the numerics that `--max-error` chose for it.
 
-use std::collections::HashMap;
-use std::path::Path;
-
 use rayon::prelude::*;
 use toml::{Table, Value};
 
-use super::column::Cells;
 use super::load::Loaded;
-use super::row::Row;
 use crate::keys::read_value;
-use crate::quantities::max_error::Line;
 use crate::quantities::summary::{BOUNDARY, KERNEL, PARTICLE_SPACING, SCHEME};
 use crate::scene::CaseConfig;
 
@@ -79,17 +73,6 @@ impl Loaded {
         };
         std::iter::from_fn(block).flatten()
     }
-}
-
-/// In place of numerics that are not known.
-const UNKNOWN: &str = "?";
-
-/// The numerics of each row in `max_error.csv`; `None` where there is no such file.
-pub(super) fn chosen(path: &Path, rows: &[Row]) -> Option<Cells> {
-    let lines = csv::Reader::from_path(path).ok()?.into_deserialize::<Line>();
-    let cases: HashMap<_, _> =
-        lines.map_while(Result::ok).map(|line| (line.case_id, line.numerics)).collect();
-    Some(rows.iter().map(|row| cases.get(row.id()).map_or(UNKNOWN, String::as_str)).collect())
 }
 
 /// `particle_spacing_m = 0.02, boundary = sfdi` as a table.

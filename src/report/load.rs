@@ -9,7 +9,7 @@ use csv::{ErrorKind, StringRecord};
 use serde::Deserialize;
 use serde_json::Value;
 
-use super::case::chosen;
+use super::chosen::chosen;
 use super::column::Cells;
 use super::error::ReportError;
 use super::omitted::Omitted;

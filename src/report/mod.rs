@@ -6,6 +6,7 @@
 
 pub mod accuracy;
 mod case;
+mod chosen;
 mod column;
 pub mod compare;
 mod config;

@@ -45,7 +45,7 @@ mod tests {
     use super::*;
     use crate::keys::read_value;
     use crate::quantities::summary::CASE_ID;
-    use crate::report::case::chosen;
+    use crate::report::chosen::chosen;
     use crate::report::row::Row;
     use crate::scene::CaseConfig;
     use toml::Table;
