@@ -73,7 +73,7 @@ impl Found<'_> {
 }
 
 /// Every printed number that the study has a case for, in the papers' order. Times per step are
-/// among them where [`timed::tells_times`].
+/// among them only where cases ran alone and from rest.
 pub fn confront<'a>(cases: &'a Cases<'a>) -> Result<Vec<Found<'a>>, ReportError> {
     let (all, times) = (of_scene(cases), timed::tells_times(cases.data));
     let mut found = Vec::new();
