@@ -146,11 +146,11 @@ impl FirstImpact {
         }
     }
 
-    /// Takes an F* that is known for a moment, s, which its running mean misses.
+    /// Takes an F* that is known for a moment, s, which its running mean misses. It is no peak of
+    /// that mean.
     pub fn bear(&mut self, force: f64, at: f64) {
         if self.is_under_way() {
             Maximum::raise(&mut self.readings.force, force, at);
-            self.readings.force_peak.push(force);
         }
     }
 
