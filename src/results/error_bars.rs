@@ -71,7 +71,7 @@ impl ErrorBars {
         };
         // A wall that stands, under a force that may be the one that moves it.
         let whole_force = force(&|o| Some(o.force_max.value));
-        let limit = scene.onset_ratio(config.scene.frame().static_force(scene.force_depth_m()));
+        let limit = scene.onset_ratio(config.scene.force_unit_n_per_m());
         let may_move = outcome.displacement_max.is_some_and(|farthest| farthest.value == 0.0)
             && whole_force.is_some_and(|bar| outcome.force_max.value + bar > limit);
         let displacement = relative(&|o| value(o.displacement_max), DISPLACEMENT_SCATTER);

@@ -20,7 +20,7 @@ use super::sound::Sound;
 use super::surface::WallLevel;
 use super::waves::Waves;
 use crate::body::Place;
-use crate::scene::{CaseConfig, Frame, SeawallScene, Tank};
+use crate::scene::{CaseConfig, Frame, Tank};
 
 /// Memory is reserved for at most this many samples.
 const MOST_ROOM: usize = 100_000;
@@ -65,7 +65,7 @@ impl Logbook {
         let span = MEAN_SPAN * frame.unit_time();
         let acoustics = Acoustics {
             depth: frame.depth,
-            depth_at_wall: config.scene.seawall().map_or(frame.depth, SeawallScene::force_depth_m),
+            depth_at_wall: config.scene.force_depth_m(),
             gravity: frame.acceleration(),
             sound_speed: tank.water.state_equation().map(|_| tank.sound_speed),
         };

@@ -1,8 +1,8 @@
 use super::*;
 
-/// The story: still water of `huang2019` with another boundary grew restless, and "3.3 % off" was told; steep waves at
-/// walls of 72 degrees, and high ones over a crest, passed without a word; and steps of 1 ms were told to be too long,
-/// as only another key was looked at.
+/// The story: still water of `huang2019` with another boundary grew restless, and "3.3 % off" was told. Steep waves at
+/// walls of 72 degrees passed without a word, and so did high ones over a crest. Steps of 1 ms were called too long:
+/// only another key was looked at.
 #[test]
 fn what_was_measured_of_presets_walls_crests_and_steps_is_told() {
     let told = |scene: &str, numerics: &str, words: &str| {
