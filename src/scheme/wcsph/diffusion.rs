@@ -6,9 +6,10 @@
 //! So D_i is a sum of differences: 2 δ h c0/R (ψ_i Σ g s_j - Σ g s_j ψ_j). g is the factor of Δ in
 //! V_j ∇W.
 
-use super::DensityDiffusion;
 use super::correction::solve_symmetric;
-use crate::pairs::{Double, Eight, Factors, Held, Here, Neighbour, Other, Pair, Real, Term};
+use super::{DensityDiffusion, Wcsph};
+use crate::math::simd::dispatch;
+use crate::pairs::{Double, Eight, Factors, Held, Here, Neighbour, Other, Pair, Ramp, Real, Term};
 
 /// A formulation.
 pub(super) trait Diffusion: Copy + Sync {
@@ -204,5 +205,22 @@ impl Term for DensityGradient<'_> {
         let [gx, gy] = pair.gradient();
         *x = rise.mul_add(gx, *x);
         *y = rise.mul_add(gy, *y);
+    }
+}
+
+/// Hydrostatic density diffusion fades in from this completeness ... Near the surface the discrete
+/// balance differs from the exact one, and diffusion would always work against it.
+const DIFFUSE_FROM: f64 = 0.9;
+/// ... to this one, where it is full.
+const DIFFUSE_FULL: f64 = 0.99;
+
+impl Wcsph {
+    /// Finds the share of each particle in the density diffusion until the next full step.
+    pub(super) fn find_diffused_shares(&mut self) {
+        if self.options.density_diffusion.reads().fades {
+            let (values, shares) = (&*self.work.completeness, &mut *self.work.diffused_share);
+            let (from, to) = (DIFFUSE_FROM, DIFFUSE_FULL);
+            dispatch(self.pairs.path, Ramp { values, from, to, shares });
+        }
     }
 }

@@ -14,7 +14,6 @@ mod continuity;
 mod contract;
 mod correction;
 mod diffusion;
-mod drift;
 mod laminar;
 mod lists;
 mod momentum;
@@ -29,6 +28,7 @@ mod shifting;
 mod state;
 mod step;
 mod support;
+mod tension;
 mod viscosity;
 mod volume;
 

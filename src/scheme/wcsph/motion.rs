@@ -1,24 +1,111 @@
-//! Velocities and places: kick, drift, and what keeps particles evenly spread.
+//! Velocities and places: kick and drift, between walls that move.
 
-use super::shifting::Shift;
-use super::volume::Restore;
-use super::{Wcsph, WcsphOptions};
+use super::diffusion::{Diffusion, with_diffusion};
+use super::pressing::Pressing;
+use super::tension::Settling;
+use super::{Wcsph, WcsphOptions, Workspace};
 use crate::body::{BodyMotion, Place};
 use crate::boundary::Plane;
-use crate::math::simd::dispatch;
-use crate::pairs::{Fluid, Ramp};
+use crate::pairs::{Double, Each, Factors, Flow, Fluid, Here, Summed};
 use crate::water::HoldInside;
 
-/// Hydrostatic density diffusion fades in from this completeness ... Near the surface the discrete
-/// balance differs from the exact one, and diffusion would always work against it.
-const DIFFUSE_FROM: f64 = 0.9;
-/// ... to this one, where it is full.
-const DIFFUSE_FULL: f64 = 0.99;
+/// New velocities, and the neighbours' numbers for the continuity pass: see [`Flow`].
+struct Velocities<'a, F> {
+    accelerations: [&'a [f64]; 2],
+    /// Length of the step, seconds.
+    dt: f64,
+    /// How many particles there are.
+    all: usize,
+    /// Places over R.
+    places: [&'a [f64]; 2],
+    flow: Flow,
+    formulation: F,
+    diffused: &'a [f64],
+}
 
-/// Most by which the extrapolation changes any component of a correction. Waves up to H/h = 0.3
-/// stay below. Where a jet lands, the correction may change by half within a full step. That change
-/// says nothing of the next one.
-const MOST_TAKEN_ON: f64 = 0.1;
+/// Rows of the velocities; then the numbers.
+type VelocityRows<'r> = ([&'r mut [f64]; 2], &'r mut [Factors]);
+
+impl<F: Diffusion> Each<VelocityRows<'_>> for Velocities<'_, F> {
+    #[inline(always)]
+    fn at<D: Double>(&self, here: Here, ([vx, vy], factors): &mut VelocityRows<'_>) {
+        let ([along, up], dt) = (here.all::<D, 2>(self.accelerations), D::splat(self.dt));
+        here.put_within(self.all, vx, here.in_rows::<D>(vx) + dt * along);
+        here.put_within(self.all, vy, here.in_rows::<D>(vy) + dt * up);
+        let velocity = [here.in_rows::<D>(vx), here.in_rows(vy)];
+        let smoothed = self.formulation.neighbour(here, here.of::<D>(self.diffused));
+        here.put_numbers(factors, self.flow.numbers(velocity, here.all(self.places), smoothed));
+    }
+}
+
+/// What [`super::diffusion::Renormalised`] reads of each particle.
+struct Slants<'a> {
+    gradient: [&'a [f64]; 2],
+    places: [&'a [f64]; 2],
+}
+
+impl Each<&mut [Factors]> for Slants<'_> {
+    #[inline(always)]
+    fn at<D: Double>(&self, here: Here, slants: &mut &mut [Factors]) {
+        let ([slope_x, slope_y], [x, y]) =
+            (here.all::<D, 2>(self.gradient), here.all::<D, 2>(self.places));
+        let zero = D::splat(0.0);
+        here.put_numbers(slants, [slope_x, slope_y, x, y, zero, zero, zero, zero]);
+    }
+}
+
+/// New densities and places. If an acoustic step is next, the water is also held inside and gets
+/// new pressures.
+struct Drift<'a> {
+    /// How many particles there are.
+    all: usize,
+    /// Length of the step, seconds.
+    dt: f64,
+    rate: &'a [f64],
+    settling: Option<Settling<'a>>,
+    next: Option<Next<'a>>,
+}
+
+/// The work for an acoustic step. For a neighbour's numbers see [`super::acoustic::Acoustic`].
+struct Next<'a> {
+    inside: HoldInside<'a>,
+    pressing: Pressing<'a>,
+    /// Places over R.
+    places: [&'a [f64]; 2],
+    /// The kernel gradient's correction: xx, xy, yy.
+    correction: [&'a [f64]; 3],
+}
+
+/// Rows of places, velocities and densities; of pressures and the field that diffusion smooths; of
+/// the neighbours' numbers.
+type DriftRows<'r> = (([&'r mut [f64]; 5], [&'r mut [f64]; 2]), &'r mut [Factors]);
+
+impl Summed<DriftRows<'_>> for Drift<'_> {
+    /// Adds up the energy gained as water settles and is held inside, J/m.
+    #[inline(always)]
+    fn at<D: Double>(&self, here: Here, (fields, factors): &mut DriftRows<'_>) -> D {
+        let ([x, y, vx, vy, density], [pressures, diffused]) = fields;
+        let (all, dt) = (self.all, D::splat(self.dt));
+        here.put_within(all, density, here.in_rows::<D>(density) + dt * here.of(self.rate));
+        here.put_within(all, x, here.in_rows::<D>(x) + dt * here.in_rows(vx));
+        here.put_within(all, y, here.in_rows::<D>(y) + dt * here.in_rows(vy));
+        let mut gained = D::splat(0.0);
+        if let Some(settling) = &self.settling {
+            gained += settling.at::<D>(here, all, density);
+        }
+        if let Some(Next { inside, pressing, places, correction }) = &self.next {
+            gained += inside.at::<D>(here, &mut [[x, y], [vx, vy]]);
+            let (density, y) = (here.eight_in_rows(density), here.eight_in_rows(y));
+            let [p, smoothed] = pressing.find::<D>(here, density, y);
+            here.put(pressures, p);
+            here.put(diffused, smoothed);
+            let [xx, xy, yy] = here.all::<D, 3>(*correction);
+            let numbers = Factors::of_pressure([p * xx, p * xy, p * yy], here.all(*places));
+            here.put_numbers(factors, numbers);
+        }
+        gained
+    }
+}
 
 impl Wcsph {
     /// Adds to the accelerations the effect of the wall's own acceleration, and the field.
@@ -39,13 +126,54 @@ impl Wcsph {
         }
     }
 
-    /// Finds the share of each particle in the density diffusion until the next full step.
-    pub(super) fn find_diffused_shares(&mut self) {
-        if self.options.density_diffusion.reads().fades {
-            let (values, shares) = (&*self.work.completeness, &mut *self.work.diffused_share);
-            let (from, to) = (DIFFUSE_FROM, DIFFUSE_FULL);
-            dispatch(self.pairs.path, Ramp { values, from, to, shares });
+    /// New velocities.
+    pub(super) fn kick(&mut self, dt: f64) {
+        let (n, all) = (self.fluid.padded_len(), self.fluid.len());
+        let (flow, work, diffused) = (self.flow(), &self.work, &*self.diffused);
+        let accelerations = [&*work.acceleration_x, &*work.acceleration_y];
+        let places = [&*work.scaled_x, &*work.scaled_y];
+        if self.options.density_diffusion.reads().slants {
+            let gradient = [&*work.gradient_x, &*work.gradient_y];
+            self.pairs.each(&mut self.slants[..n], &Slants { gradient, places });
         }
+        let velocities = [&mut self.fluid.vx[..n], &mut self.fluid.vy[..n]];
+        let rows = (velocities, &mut self.numbers[..n]);
+        with_diffusion!(self.options.density_diffusion, work, &[], formulation => {
+            let velocities =
+                Velocities { accelerations, dt, all, places, flow, formulation, diffused };
+            self.pairs.each(rows, &velocities);
+        });
+    }
+
+    /// New densities and places in a step between bodies. If an acoustic step is next, also its
+    /// pressures. Returns the energy that is lost.
+    pub(super) fn drift(&mut self, dt: f64, bodies: &[BodyMotion], acoustic_is_next: bool) -> f64 {
+        let (all, n, options) = (self.fluid.len(), self.fluid.padded_len(), &self.options);
+        let Workspace { carried, pressure, completeness, scaled_x, scaled_y, .. } = &mut self.work;
+        let Fluid { x, y, vx, vy, density, mass, .. } = &mut self.fluid;
+        let (rate, tension) = (&*carried.density_rate, &*carried.tension);
+        let settling = options.corrected_gradients.then(|| Settling {
+            state: options.state,
+            rate: (dt * options.state.sound_speed / options.smoothing_length()).min(1.0),
+            most: options.most_at_surface(),
+            completeness,
+            tension,
+            mass,
+        });
+        let next = acoustic_is_next.then(|| Next {
+            inside: HoldInside::of(
+                (all, mass),
+                [options.spacing, options.gravity],
+                (&self.ghosts, &self.planes, bodies),
+            ),
+            pressing: Pressing::of(options, self.bulk_time, [rate, tension]),
+            places: [scaled_x, scaled_y],
+            correction: carried.correction(),
+        });
+        let drift = Drift { all, dt, rate, settling, next };
+        let water = [x, y, vx, vy, density].map(|field| &mut field[..n]);
+        let found = [pressure, &mut self.diffused].map(|field| &mut field[..n]);
+        -self.pairs.sum_each(((water, found), &mut self.numbers[..n]), &drift)
     }
 
     /// The walls' faces at the end of a step.
@@ -70,47 +198,6 @@ impl Wcsph {
         }
     }
 
-    /// Shifts the particles, if that is wanted, for the time since the last full step. Returns the
-    /// energy that is lost.
-    pub(super) fn shift(&mut self, fades_in: [f64; 2]) -> f64 {
-        let n = self.fluid.padded_len();
-        let Fluid { x, y, vx, vy, density, mass, .. } = &mut self.fluid;
-        let shift = Shift {
-            mass,
-            velocity: [vx, vy],
-            work: &self.work,
-            options: &self.options,
-            planes: &self.planes,
-            bed: self.ghosts.outline(),
-            strain: &self.strain,
-            fades_in,
-            dt: self.since_full,
-            inverse_radius: self.scaling.inverse_radius,
-        };
-        let rows = [&mut x[..n], &mut y[..n], &mut density[..n]];
-        -self.pairs.sum_each(rows, &shift)
-    }
-
-    /// Corrects the volume that was lost since the last full step, if that is wanted. Returns the
-    /// energy that is lost.
-    pub(super) fn restore_volume(&mut self) -> f64 {
-        let Some(shortfall) = &self.shortfall else { return 0.0 };
-        let options = &self.options;
-        let n = self.fluid.padded_len();
-        let Fluid { density, mass, .. } = &mut self.fluid;
-        let restore = Restore {
-            mass,
-            work: &self.work,
-            options,
-            shortfall,
-            rate: options.volume_feedback
-                * options.state.sound_speed
-                * self.scaling.inverse_radius
-                * self.since_full,
-        };
-        -self.pairs.sum_each(&mut density[..n], &restore)
-    }
-
     /// Holds the particles in front of the walls. Returns the energy that is lost.
     pub(super) fn hold_inside(&mut self, bodies: &[BodyMotion]) -> f64 {
         let (n, all) = (self.fluid.padded_len(), self.fluid.len());
@@ -120,39 +207,5 @@ impl Wcsph {
         let hold = HoldInside::of((all, mass), [spacing, gravity], walls);
         let rows = [[x, y], [vx, vy]].map(|pair| pair.map(|field| &mut field[..n]));
         -self.pairs.sum_each(rows, &hold)
-    }
-
-    /// Takes the correction that the last pass has found for the coming full step. With
-    /// `extrapolated_correction` its last change is added once more: L + (L - L_before). The change
-    /// is at most [`MOST_TAKEN_ON`]. The first correction has none.
-    ///
-    /// Without this, the correction lags and the pressure always pushes a little too late. This
-    /// feeds waves.
-    pub(super) fn take_next_correction(&mut self) {
-        let work = &mut self.work;
-        if self.options.extrapolated_correction {
-            let next = [
-                &mut work.next_correction_xx,
-                &mut work.next_correction_xy,
-                &mut work.next_correction_yy,
-            ];
-            for (next, before) in next.into_iter().zip(&mut work.carried.found_correction) {
-                if before.is_empty() {
-                    before.clone_from(next);
-                    continue;
-                }
-                for (next, before) in next.iter_mut().zip(before) {
-                    let found = *next;
-                    let change = found - std::mem::replace(before, found);
-                    *next += change.clamp(-MOST_TAKEN_ON, MOST_TAKEN_ON);
-                }
-            }
-        }
-        std::mem::swap(&mut work.carried.correction_xx, &mut work.next_correction_xx);
-        std::mem::swap(&mut work.carried.correction_xy, &mut work.next_correction_xy);
-        std::mem::swap(&mut work.carried.correction_yy, &mut work.next_correction_yy);
-        std::mem::swap(&mut work.acceleration_x, &mut work.carried.last_acceleration_x);
-        std::mem::swap(&mut work.acceleration_y, &mut work.carried.last_acceleration_y);
-        self.set_tension();
     }
 }

@@ -1,9 +1,8 @@
 //! The data of each particle, packed for the pair loops.
 
-use super::diffusion::{Diffusion, with_diffusion};
 use super::pressing::Pressing;
 use super::{Wcsph, Workspace};
-use crate::pairs::{Double, Each, Factors, Flow, Fluid, Here, Record, Scaling};
+use crate::pairs::{Double, Each, Factors, Fluid, Here, Record, Scaling};
 
 /// Everything about the water that the pass of a full step reads.
 struct Whole<'a> {
@@ -42,51 +41,6 @@ impl Each<WholeRows<'_>> for Whole<'_> {
     }
 }
 
-/// New velocities, and the neighbours' numbers for the continuity pass: see [`Flow`].
-struct Velocities<'a, F> {
-    accelerations: [&'a [f64]; 2],
-    /// Length of the step, seconds.
-    dt: f64,
-    /// How many particles there are.
-    all: usize,
-    /// Places over R.
-    places: [&'a [f64]; 2],
-    flow: Flow,
-    formulation: F,
-    diffused: &'a [f64],
-}
-
-/// Rows of the velocities; then the numbers.
-type VelocityRows<'r> = ([&'r mut [f64]; 2], &'r mut [Factors]);
-
-impl<F: Diffusion> Each<VelocityRows<'_>> for Velocities<'_, F> {
-    #[inline(always)]
-    fn at<D: Double>(&self, here: Here, ([vx, vy], factors): &mut VelocityRows<'_>) {
-        let ([along, up], dt) = (here.all::<D, 2>(self.accelerations), D::splat(self.dt));
-        here.put_within(self.all, vx, here.in_rows::<D>(vx) + dt * along);
-        here.put_within(self.all, vy, here.in_rows::<D>(vy) + dt * up);
-        let velocity = [here.in_rows::<D>(vx), here.in_rows(vy)];
-        let smoothed = self.formulation.neighbour(here, here.of::<D>(self.diffused));
-        here.put_numbers(factors, self.flow.numbers(velocity, here.all(self.places), smoothed));
-    }
-}
-
-/// What [`super::diffusion::Renormalised`] reads of each particle.
-struct Slants<'a> {
-    gradient: [&'a [f64]; 2],
-    places: [&'a [f64]; 2],
-}
-
-impl Each<&mut [Factors]> for Slants<'_> {
-    #[inline(always)]
-    fn at<D: Double>(&self, here: Here, slants: &mut &mut [Factors]) {
-        let ([slope_x, slope_y], [x, y]) =
-            (here.all::<D, 2>(self.gradient), here.all::<D, 2>(self.places));
-        let zero = D::splat(0.0);
-        here.put_numbers(slants, [slope_x, slope_y, x, y, zero, zero, zero, zero]);
-    }
-}
-
 impl Wcsph {
     /// Packs pressures and all data of the fluid for the pass of a full step.
     pub(super) fn pack(&mut self) {
@@ -104,25 +58,6 @@ impl Wcsph {
         let fields =
             [&mut pressure[..n], &mut self.diffused[..n], &mut scaled_x[..n], &mut scaled_y[..n]];
         self.pairs.each((fields, &mut self.records[..n]), &whole);
-    }
-
-    /// New velocities.
-    pub(super) fn kick(&mut self, dt: f64) {
-        let (n, all) = (self.fluid.padded_len(), self.fluid.len());
-        let (flow, work, diffused) = (self.flow(), &self.work, &*self.diffused);
-        let accelerations = [&*work.acceleration_x, &*work.acceleration_y];
-        let places = [&*work.scaled_x, &*work.scaled_y];
-        if self.options.density_diffusion.reads().slants {
-            let gradient = [&*work.gradient_x, &*work.gradient_y];
-            self.pairs.each(&mut self.slants[..n], &Slants { gradient, places });
-        }
-        let velocities = [&mut self.fluid.vx[..n], &mut self.fluid.vy[..n]];
-        let rows = (velocities, &mut self.numbers[..n]);
-        with_diffusion!(self.options.density_diffusion, work, &[], formulation => {
-            let velocities =
-                Velocities { accelerations, dt, all, places, flow, formulation, diffused };
-            self.pairs.each(rows, &velocities);
-        });
     }
 
     /// New pressures of the ghosts that count.

@@ -2,36 +2,12 @@
 
 use super::acoustic::Acoustic;
 use super::continuity::Continuity;
-use super::correction::surface_share;
 use super::diffusion::with_diffusion;
 use super::laminar::Laminar;
 use super::momentum::Momentum;
 use super::support::Support;
 use super::{DensityDiffusion, Shifting, Wcsph, Workspace};
-use crate::pairs::{Double, Each, Flow, Here, Neighbours, Precision, Records, round};
-
-/// Water bears no tension below this completeness, at the surface ...
-pub(super) const TENSION_FROM: f64 = 0.6;
-/// ... and all of it above this.
-pub(super) const TENSION_FULL: f64 = 0.9;
-
-/// The share of tension that water bears under the surface. The correction there is reduced for the
-/// balance under gravity, but the tension is not.
-struct Bearing<'a> {
-    completeness: &'a [f64],
-    first_row: f64,
-}
-
-impl Each<&mut [f64]> for Bearing<'_> {
-    #[inline(always)]
-    fn at<D: Double>(&self, here: Here, tension: &mut &mut [f64]) {
-        let completeness = here.of::<D>(self.completeness);
-        let inside =
-            (completeness - D::splat(TENSION_FROM)) * D::splat(1.0 / (TENSION_FULL - TENSION_FROM));
-        let share = inside.max(D::splat(0.0)).div(surface_share(completeness, self.first_row));
-        here.put(tension, share.min(D::splat(1.0)));
-    }
-}
+use crate::pairs::{Flow, Neighbours, Precision, Records, round};
 
 impl Wcsph {
     /// Pressure forces of an acoustic step, and the loads.
@@ -60,16 +36,6 @@ impl Wcsph {
         let Workspace { acceleration_x, acceleration_y, .. } = &mut self.work;
         let accelerations = [&mut acceleration_x[..], acceleration_y];
         self.exchange.hand_back(self.pairs.path, &self.fluid.mass, accelerations);
-    }
-
-    /// Sets the share of tension that the water bears in the coming steps.
-    pub(super) fn set_tension(&mut self) {
-        if self.options.corrected_gradients {
-            let (tension, completeness) =
-                (&mut *self.work.carried.tension, &*self.work.completeness);
-            let first_row = self.options.first_row_share();
-            self.pairs.each(tension, &Bearing { completeness, first_row });
-        }
     }
 
     /// The accelerations and all else from the pairs of a full step of `dt` seconds. Returns the

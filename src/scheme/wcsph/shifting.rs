@@ -1,8 +1,8 @@
 //! Particle shifting, away from walls and from the free surface.
 
-use super::{WcsphOptions, Workspace};
+use super::{Wcsph, WcsphOptions, Workspace};
 use crate::boundary::{Plane, Profile};
-use crate::pairs::{Double, Here, Summed};
+use crate::pairs::{Double, Fluid, Here, Summed};
 use crate::water::{SHIFT_LIMIT, any_nearer};
 
 /// The speed of a shift is the difference of the flow's velocity over this many support radii.
@@ -13,22 +13,22 @@ const ACROSS: f64 = 2.0;
 /// The speed is 2R √(2E:E), where E is the strain rate without its trace. So water that moves or
 /// turns as one body is not shifted. Without corrected gradients there is no E, and |u| is taken
 /// instead, as in Lind et al. 2012.
-pub(super) struct Shift<'a> {
-    pub mass: &'a [f64],
-    pub velocity: [&'a [f64]; 2],
-    pub work: &'a Workspace,
-    pub options: &'a WcsphOptions,
-    pub planes: &'a [Plane],
+struct Shift<'a> {
+    mass: &'a [f64],
+    velocity: [&'a [f64]; 2],
+    work: &'a Workspace,
+    options: &'a WcsphOptions,
+    planes: &'a [Plane],
     /// The bed, where it is not level.
-    pub bed: Option<&'a Profile>,
+    bed: Option<&'a Profile>,
     /// As [`super::momentum::Momentum::strain`].
-    pub strain: &'a [[f64; 2]],
+    strain: &'a [[f64; 2]],
     /// Completenesses of the support between which the shift fades in.
-    pub fades_in: [f64; 2],
+    fades_in: [f64; 2],
     /// The time for which particles are shifted, seconds.
-    pub dt: f64,
+    dt: f64,
     /// 1/R, 1/m.
-    pub inverse_radius: f64,
+    inverse_radius: f64,
 }
 
 impl Shift<'_> {
@@ -84,7 +84,7 @@ impl Shift<'_> {
 }
 
 /// Rows of places and densities.
-pub(super) type Rows<'r> = [&'r mut [f64]; 3];
+type Rows<'r> = [&'r mut [f64]; 3];
 
 impl Summed<Rows<'_>> for Shift<'_> {
     /// Adds up the energy gained, J/m.
@@ -103,5 +103,28 @@ impl Summed<Rows<'_>> for Shift<'_> {
         here.put(to_y, y + dy);
         here.put(to_density, density + rise);
         here.of::<D>(self.mass) * (D::splat(options.gravity) * dy + elastic)
+    }
+}
+
+impl Wcsph {
+    /// Shifts the particles, if that is wanted, for the time since the last full step. Returns the
+    /// energy that is lost.
+    pub(super) fn shift(&mut self, fades_in: [f64; 2]) -> f64 {
+        let n = self.fluid.padded_len();
+        let Fluid { x, y, vx, vy, density, mass, .. } = &mut self.fluid;
+        let shift = Shift {
+            mass,
+            velocity: [vx, vy],
+            work: &self.work,
+            options: &self.options,
+            planes: &self.planes,
+            bed: self.ghosts.outline(),
+            strain: &self.strain,
+            fades_in,
+            dt: self.since_full,
+            inverse_radius: self.scaling.inverse_radius,
+        };
+        let rows = [&mut x[..n], &mut y[..n], &mut density[..n]];
+        -self.pairs.sum_each(rows, &shift)
     }
 }

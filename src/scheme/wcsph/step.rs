@@ -41,7 +41,7 @@ impl Wcsph {
             // The first step has no correction from a step before: it takes its own. It has
             // predicted positions from rest. A run that goes on from a trunk that ends here must do
             // the same.
-            self.take_next_correction();
+            self.hand_on();
             self.work.carried.last_acceleration_x.fill(0.0);
             self.work.carried.last_acceleration_y.fill(0.0);
             // Counted once, as in a run that goes on from a state stored here.
@@ -104,7 +104,7 @@ impl Wcsph {
             shifting_work += self.restore_volume();
             shifting_work += self.hold_inside(walls.bodies);
             self.since_full = 0.0;
-            self.take_next_correction();
+            self.hand_on();
         }
         self.phases.lap("integration", &mut clock);
         Dissipation {
@@ -140,6 +140,15 @@ impl Wcsph {
             self.phases.lap("momentum", clock);
         }
         Lost { diffusion_power, on_the_way }
+    }
+
+    /// Hands on what the last pass has found to the coming full step.
+    fn hand_on(&mut self) {
+        self.work.take_next_correction(self.options.extrapolated_correction);
+        self.set_tension();
+        let work = &mut self.work;
+        std::mem::swap(&mut work.acceleration_x, &mut work.carried.last_acceleration_x);
+        std::mem::swap(&mut work.acceleration_y, &mut work.carried.last_acceleration_y);
     }
 
     /// Takes the bodies' velocities over this step and their accelerations in the next. Offsets

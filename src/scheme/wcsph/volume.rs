@@ -7,20 +7,20 @@
 //! crowd. Densities follow it slowly, and the pressure then drives the particles apart.
 
 use super::correction::surface_share;
-use super::{WcsphOptions, Workspace};
-use crate::pairs::{Double, Here, Summed};
+use super::{Wcsph, WcsphOptions, Workspace};
+use crate::pairs::{Double, Fluid, Here, Summed};
 use crate::water::{Shortfall, VOLUME_DEPTHS};
 
 /// Changes densities by the error of the volume: δρ = ρ e · rate, e = ½ tr Σ - 1 + the shortfall.
 ///
 /// The depth is taken to be p/(ρg).
-pub(super) struct Restore<'a> {
-    pub mass: &'a [f64],
-    pub work: &'a Workspace,
-    pub options: &'a WcsphOptions,
-    pub shortfall: &'a Shortfall,
+struct Restore<'a> {
+    mass: &'a [f64],
+    work: &'a Workspace,
+    options: &'a WcsphOptions,
+    shortfall: &'a Shortfall,
     /// Share of the error that is corrected now.
-    pub rate: f64,
+    rate: f64,
 }
 
 /// From 0 at the first depth to 1 at the second.
@@ -54,5 +54,27 @@ impl Summed<&mut [f64]> for Restore<'_> {
         let rise = density * error * faded_in(depth, VOLUME_DEPTHS) * D::splat(self.rate);
         here.put(densities, density + rise);
         here.of::<D>(self.mass) * pressure.div(density * density) * rise
+    }
+}
+
+impl Wcsph {
+    /// Corrects the volume that was lost since the last full step, if that is wanted. Returns the
+    /// energy that is lost.
+    pub(super) fn restore_volume(&mut self) -> f64 {
+        let Some(shortfall) = &self.shortfall else { return 0.0 };
+        let options = &self.options;
+        let n = self.fluid.padded_len();
+        let Fluid { density, mass, .. } = &mut self.fluid;
+        let restore = Restore {
+            mass,
+            work: &self.work,
+            options,
+            shortfall,
+            rate: options.volume_feedback
+                * options.state.sound_speed
+                * self.scaling.inverse_radius
+                * self.since_full,
+        };
+        -self.pairs.sum_each(&mut density[..n], &restore)
     }
 }
