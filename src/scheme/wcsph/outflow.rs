@@ -1,6 +1,6 @@
 //! Removes water that has gone over a crest.
 
-use super::{Wcsph, Workspace};
+use super::{Carried, Wcsph, Workspace};
 use crate::pairs::{Factors, Record, gather};
 
 impl Wcsph {
@@ -36,16 +36,18 @@ impl Wcsph {
         self.make_room();
     }
 
-    /// Resizes all arrays if the number of particles has changed. Data carried from step to step
-    /// stay.
+    /// Makes room for all arrays at the start and if the number of particles has changed. Data carried
+    /// from step to step stay.
     pub(super) fn make_room(&mut self) {
-        let padded = self.fluid.padded_len();
-        if self.diffused.len() == padded {
+        let (padded, ghosts) = (self.fluid.padded_len(), self.ghosts.len());
+        if self.records.len() == padded + ghosts {
             return;
         }
-        let (bodies, ghosts) = (self.ghosts.bodies.len(), self.ghosts.len());
-        let carried = std::mem::take(&mut self.work.carried);
-        self.work = Workspace { carried, ..Workspace::new(padded, bodies) };
+        let new = Workspace::new(padded, self.ghosts.bodies.len());
+        let old = std::mem::replace(&mut self.work, new);
+        if old.carried != Carried::default() {
+            self.work.carried = old.carried;
+        }
         self.diffused = vec![0.0; padded];
         self.ahead = [vec![0.0; padded], vec![0.0; padded]];
         self.records = vec![Record::default(); padded + ghosts];

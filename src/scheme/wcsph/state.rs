@@ -91,30 +91,26 @@ impl Wcsph {
         responds: usize,
         path: SimdPath,
     ) -> Wcsph {
-        let padded = fluid.padded_len();
         let bodies = ghosts.bodies.len();
-        Wcsph {
+        let mut water = Wcsph {
             scaling: rules.scaling,
             exchange: Exchange::new(rules, &ghosts),
             pairs: Pairs::new(path, options.support_radius, options.spacing),
-            records: vec![Record::default(); padded + ghosts.len()],
+            records: Vec::new(),
             singles: Vec::new(),
-            work: Workspace::new(padded, bodies),
-            diffused: vec![0.0; padded],
-            strain: vec![[0.0; 2]; padded],
+            work: Workspace::default(),
+            diffused: Vec::new(),
+            strain: vec![[0.0; 2]; fluid.padded_len()],
             column: Column::default(),
             planes: Vec::new(),
             reference_bodies: vec![BodyMotion::default(); bodies],
-            numbers: vec![Factors::default(); padded + ghosts.len()],
+            numbers: Vec::new(),
             bed_numbers: Vec::new(),
-            slants: match options.density_diffusion.reads().slants {
-                true => vec![Factors::default(); padded],
-                false => Vec::new(),
-            },
+            slants: Vec::new(),
             substep: 0,
             lead: 0.0,
             bulk_time: 0.0,
-            ahead: [vec![0.0; padded], vec![0.0; padded]],
+            ahead: Default::default(),
             since_full: 0.0,
             held_bodies: vec![BodyMotion::default(); bodies],
             pair_evaluations: 0,
@@ -128,7 +124,9 @@ impl Wcsph {
             responds,
             fluid,
             ghosts,
-        }
+        };
+        water.make_room();
+        water
     }
 
     /// The rules for ghosts that go with the options.
