@@ -3,16 +3,17 @@
 //!
 //! For a reading f at the case's spacing and f_r at r times that spacing, the bar is
 //! ```text
-//! √( [ |f - f_r| / (r - 1) ]² + scatter² )
+//! √( [ |f - f_r| / (r^p - 1) ]² + scatter² )
 //! ```
-//! - The first term is Richardson's estimate for order 1. The largest over all companions is taken,
-//!   because two runs may agree by accident. The water is compressible, and the error by that is
+//! - The first term is Richardson's estimate for the order p. The largest over all companions is
+//!   taken, because two runs may agree by accident. p is 1, but 1.5 for levels and moments of
+//!   solitary waves at upright walls. The water is compressible, and the error by that is
 //!   proportional to 1/c0². A companion also has r times the 1/c0², so the estimate includes both
 //!   errors. The error by sound falls like the spacing, that by the spacing no slower
 //!   (`results/convergence`).
 //! - **Scatter**: between neighbouring spacings readings vary by a share of their size, levels by a
-//!   share of the spacing. For a volume over a crest it is the volume of the thickest water there
-//!   over a length of one spacing.
+//!   share of the spacing. High runups are off by a share of R²/h at any spacing. For a volume over a
+//!   crest it is the volume of the thickest water there over a length of one spacing.
 //!
 //! A wall that stands has no bar of its displacement where the force may be the one that moves it, by
 //! the force's own bar.
@@ -23,9 +24,17 @@
 
 use super::record::CaseRecord;
 pub use crate::quantities::Bars as ErrorBars;
-use crate::scene::CaseConfig;
+use crate::scene::{Behind, CaseConfig, PaddleChoice, Scheme, SeawallScene};
 use crate::simulation::{Maximum, Outcome};
 use crate::study::{Case, Study};
+
+/// Order of Richardson's estimate: that of the error by sound.
+const ORDER: f64 = 1.0;
+/// The same for levels and moments of a solitary wave at an upright wall. They depend on the water's
+/// tip. It is between the orders of the error by sound, 1, and of that by a tip's curvature, 2.
+const TIP_ORDER: f64 = 1.5;
+/// The same again: with fewer rows of particles over the depth it was not measured.
+const FEWEST_ROWS: f64 = 9.9;
 
 // Errors that companions do not show. With these values 95 % of the bars of 144 cases hold. Their
 // walls and waves lie between those of the 300 cases, at six spacings
@@ -33,10 +42,12 @@ use crate::study::{Case, Study};
 /// Scatter of a force, as a share of it.
 const FORCE_SCATTER: f64 = 0.0028;
 /// Scatter of a moment, as a share of it.
-const MOMENT_SCATTER: f64 = 0.0023;
-/// Scatter of a level, as a share of the spacing. It is that of the lowest wave, whose tip is not
-/// sharp.
-const LEVEL_SCATTER: f64 = 0.07;
+const MOMENT_SCATTER: f64 = 0.0045;
+/// Scatter of a level, as a share of the spacing.
+const LEVEL_SCATTER: f64 = 0.06;
+/// What no spacing takes off a runup, as a share of R²/h. A wall's ghosts take the water in a tip that
+/// falls to be as heavy as at rest.
+const TIP_ERROR: f64 = 0.005;
 /// Scatter of a displacement, as a share of it.
 const DISPLACEMENT_SCATTER: f64 = 0.0021;
 
@@ -51,30 +62,33 @@ impl ErrorBars {
         let Some(scene) = config.scene.seawall() else { return ErrorBars::default() };
         let spacing = config.numerics.particle_spacing_m;
         let ratio = |other: &CaseConfig| other.numerics.particle_spacing_m / spacing;
-        let refined = |read: &dyn Fn(&Outcome) -> Option<f64>| {
+        let refined = |read: &dyn Fn(&Outcome) -> Option<f64>, order: f64| {
             let own = read(outcome)?;
             let others = companions.iter().filter_map(|(config, outcome)| {
-                Some(richardson(own, read(outcome)?, ratio(config)))
+                Some(richardson(own, read(outcome)?, ratio(config), order))
             });
             Some((own, others.max_by(f64::total_cmp)?))
         };
+        let tip_order = if is_measured(config, scene) { TIP_ORDER } else { ORDER };
         let value = |maximum: Option<Maximum>| maximum.map(|maximum| maximum.value);
-        let relative = |read: &dyn Fn(&Outcome) -> Option<f64>, scatter: f64| {
-            let (own, resolution) = refined(read)?;
+        let relative = |read: &dyn Fn(&Outcome) -> Option<f64>, order: f64, scatter: f64| {
+            let (own, resolution) = refined(read, order)?;
             Some(resolution.hypot(scatter * own))
         };
-        let force = |read: &dyn Fn(&Outcome) -> Option<f64>| relative(read, FORCE_SCATTER);
-        let moment = |read: &dyn Fn(&Outcome) -> Option<f64>| relative(read, MOMENT_SCATTER);
+        let force = |read: &dyn Fn(&Outcome) -> Option<f64>| relative(read, ORDER, FORCE_SCATTER);
+        let moment =
+            |read: &dyn Fn(&Outcome) -> Option<f64>| relative(read, tip_order, MOMENT_SCATTER);
         let runup = |read: &dyn Fn(&Outcome) -> Option<f64>| {
-            let (_, resolution) = refined(read)?;
-            Some(resolution.hypot(LEVEL_SCATTER * spacing / scene.still_water_depth_m))
+            let (own, resolution) = refined(read, tip_order)?;
+            let scatter = LEVEL_SCATTER * spacing / scene.still_water_depth_m;
+            Some(resolution.hypot(scatter).hypot(TIP_ERROR * own * own))
         };
         // A wall that stands, under a force that may be the one that moves it.
         let whole_force = force(&|o| Some(o.force_max.value));
         let limit = scene.onset_ratio(config.scene.force_unit_n_per_m());
         let may_move = outcome.displacement_max.is_some_and(|farthest| farthest.value == 0.0)
             && whole_force.is_some_and(|bar| outcome.force_max.value + bar > limit);
-        let displacement = relative(&|o| value(o.displacement_max), DISPLACEMENT_SCATTER);
+        let displacement = relative(&|o| value(o.displacement_max), ORDER, DISPLACEMENT_SCATTER);
         ErrorBars {
             force: force(&|o| value(o.first_force_max)),
             runup: runup(&|o| value(o.first_runup_max)),
@@ -83,12 +97,21 @@ impl ErrorBars {
             whole_runup: runup(&|o| Some(o.runup_max.value)),
             moment: moment(&|o| value(o.first_moment_max)),
             whole_moment: moment(&|o| value(o.moment_max)),
-            overtopping: refined(&|o| Some(o.overtopped?.volume_m2)).and_then(|(_, resolution)| {
+            overtopping: refined(&|o| Some(o.overtopped?.volume_m2), ORDER).and_then(|volume| {
                 let thickness = outcome.overtopped?.thickness_max_m;
-                Some(resolution.hypot(spacing * thickness))
+                Some(volume.1.hypot(spacing * thickness))
             }),
         }
     }
+}
+
+/// Whether a case is like those for which [`TIP_ORDER`] was measured.
+fn is_measured(config: &CaseConfig, scene: &SeawallScene) -> bool {
+    let numerics = &config.numerics;
+    let corrected = numerics.scheme == Scheme::Wcsph && numerics.corrected_gradients;
+    let solitary = scene.paddle == PaddleChoice::Solitary && scene.behind == Behind::Nothing;
+    let rows = scene.still_water_depth_m / numerics.particle_spacing_m;
+    corrected && solitary && scene.is_upright_over_level_bed() && rows > FEWEST_ROWS
 }
 
 /// The smallest possible bar of force and displacement for a case, percent, for any particle
@@ -136,10 +159,10 @@ impl Study {
     }
 }
 
-/// Richardson's estimate of the error of `fine` for order 1. `coarse` is the same quantity at
-/// `ratio` times the spacing.
-fn richardson(fine: f64, coarse: f64, ratio: f64) -> f64 {
-    (fine - coarse).abs() / (ratio - 1.0)
+/// Richardson's estimate of the error of `fine` for the order `order`. `coarse` is the same quantity
+/// at `ratio` times the spacing.
+fn richardson(fine: f64, coarse: f64, ratio: f64, order: f64) -> f64 {
+    (fine - coarse).abs() / (ratio.powf(order) - 1.0)
 }
 
 #[cfg(test)]

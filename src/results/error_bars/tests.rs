@@ -31,9 +31,12 @@ fn bars(spacings: &[f64], order: f64) -> ErrorBars {
 }
 
 #[test]
-fn richardson_is_exact_for_the_first_order() {
-    let read = |spacing: f64| 1.0 + 3.0 * spacing;
-    assert!((richardson(read(0.1), read(0.2), 2.0) - 0.3).abs() < 1e-12);
+fn richardson_is_exact_for_its_order() {
+    for order in [ORDER, TIP_ORDER] {
+        let error = |spacing: f64| 3.0 * spacing.powf(order);
+        let estimate = richardson(1.0 + error(0.1), 1.0 + error(0.2), 2.0, order);
+        assert!((estimate - error(0.1)).abs() < 1e-12, "{estimate}");
+    }
 }
 
 #[test]
@@ -42,17 +45,34 @@ fn the_limit_lies_inside_for_every_order_from_one() {
         for spacings in [&[0.01, 0.02][..], &[0.01, 0.01 * std::f64::consts::SQRT_2, 0.02]] {
             let bars = bars(spacings, order);
             let error = 0.1_f64.powf(order);
-            assert!(bars.force.unwrap() >= error && bars.runup.unwrap() >= error);
-            assert!(bars.whole_force.unwrap() >= error && bars.whole_runup.unwrap() >= error);
+            assert!(bars.force.unwrap() >= error && bars.whole_force.unwrap() >= error);
             assert!(bars.displacement.unwrap() >= 2.0 * error);
-            assert!(bars.moment.unwrap() >= 3.0 * error);
-            assert!(bars.whole_moment.unwrap() >= 3.0 * error);
+            if order >= TIP_ORDER {
+                assert!(bars.runup.unwrap() >= error && bars.whole_runup.unwrap() >= error);
+                assert!(bars.moment.unwrap() >= 3.0 * error);
+                assert!(bars.whole_moment.unwrap() >= 3.0 * error);
+            }
             assert!(bars.force.unwrap() < 3.0 * error + 0.02, "{order}: {bars:?}");
         }
     }
 }
 
-/// A case's error by sound, proportional to 1/c0², is covered by its companions, for any c0.
+/// Levels at leaning walls are not known to converge as well as those at upright ones.
+#[test]
+fn other_walls_have_wider_bars_of_runup() {
+    let bar = |scene: &str| {
+        let runs = [0.01, 0.02].map(|spacing| {
+            let config = CaseConfig::of(scene, &format!("particle_spacing_m = {spacing:?}"));
+            (config, outcome(spacing, 1.0))
+        });
+        ErrorBars::new(&runs[0].0, &runs[0].1, &[(&runs[1].0, &runs[1].1)]).runup.unwrap()
+    };
+    let [upright, leaning] = ["", "wall_angle_deg = 70"].map(bar);
+    assert!(leaning > 1.5 * upright, "{leaning} {upright}");
+    assert!((leaning - 0.1_f64.hypot(TIP_ERROR * 0.81).hypot(LEVEL_SCATTER * 0.05)).abs() < 1e-12);
+}
+
+/// The error of a force by sound, proportional to 1/c0², is covered by companions, for any c0.
 #[test]
 fn the_error_by_sound_lies_inside() {
     for ratio in [8.0, 10.12, 16.0] {
@@ -62,12 +82,12 @@ fn the_error_by_sound_lies_inside() {
         let told = |config: &CaseConfig| {
             let error = 0.5 / config.numerics.sound_speed_ratio.powi(2);
             let mut outcome = outcome(0.01, 40.0);
-            outcome.first_runup_max = Some(Maximum { value: 1.0 + error, time_s: 2.0 });
+            outcome.first_force_max = Some(Maximum { value: 1.0 + error, time_s: 2.0 });
             (outcome, error)
         };
         let ((fine, error), (coarser, _)) = (told(&own), told(&coarse));
-        let bar = ErrorBars::new(&own, &fine, &[(&coarse, &coarser)]).runup.unwrap();
-        assert!(bar >= 0.99 * error && bar < error + 0.0031, "{ratio}: {bar} for {error}");
+        let bar = ErrorBars::new(&own, &fine, &[(&coarse, &coarser)]).force.unwrap();
+        assert!(bar >= 0.99 * error && bar < error + 0.0029, "{ratio}: {bar} for {error}");
     }
 }
 
@@ -76,7 +96,8 @@ fn agreement_by_accident_leaves_scatter() {
     let (own, told) = (config(0.01), outcome(0.01, 1.0));
     let bars = ErrorBars::new(&own, &told, &[(&config(0.02), &told)]);
     assert!((bars.force.unwrap() - FORCE_SCATTER * 2.1).abs() < 1e-12);
-    assert!((bars.runup.unwrap() - LEVEL_SCATTER * 0.05).abs() < 1e-12);
+    let tip = TIP_ERROR * 0.9_f64.powi(2);
+    assert!((bars.runup.unwrap() - tip.hypot(LEVEL_SCATTER * 0.05)).abs() < 1e-12);
     assert!((bars.displacement.unwrap() - DISPLACEMENT_SCATTER * 2.8).abs() < 1e-12);
     assert!((bars.moment.unwrap() - MOMENT_SCATTER * 3.8).abs() < 1e-12);
     assert!((bars.whole_moment.unwrap() - MOMENT_SCATTER * 4.3).abs() < 1e-12);
