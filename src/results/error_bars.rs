@@ -26,15 +26,13 @@ use super::record::CaseRecord;
 pub use crate::quantities::Bars as ErrorBars;
 use crate::scene::{Behind, CaseConfig, PaddleChoice, Scheme, SeawallScene};
 use crate::simulation::{Maximum, Outcome};
-use crate::study::{Case, Study};
+use crate::study::{Case, Study, has_enough_rows};
 
 /// Order of Richardson's estimate: that of the error by sound.
 const ORDER: f64 = 1.0;
 /// The same for levels and moments of a solitary wave at an upright wall. They depend on the water's
 /// tip. It is between the orders of the error by sound, 1, and of that by a tip's curvature, 2.
 const TIP_ORDER: f64 = 1.5;
-/// The same again: with fewer rows of particles over the depth it was not measured.
-const FEWEST_ROWS: f64 = 9.9;
 
 // Errors that companions do not show. With these values 95 % of the bars of 144 cases hold. Their
 // walls and waves lie between those of the 300 cases, at six spacings
@@ -110,8 +108,7 @@ fn is_measured(config: &CaseConfig, scene: &SeawallScene) -> bool {
     let numerics = &config.numerics;
     let corrected = numerics.scheme == Scheme::Wcsph && numerics.corrected_gradients;
     let solitary = scene.paddle == PaddleChoice::Solitary && scene.behind == Behind::Nothing;
-    let rows = scene.still_water_depth_m / numerics.particle_spacing_m;
-    corrected && solitary && scene.is_upright_over_level_bed() && rows > FEWEST_ROWS
+    corrected && solitary && scene.is_upright_over_level_bed() && has_enough_rows(config, 1.0)
 }
 
 /// The smallest possible bar of force and displacement for a case, percent, for any particle

@@ -15,13 +15,18 @@ use crate::scene::{CaseConfig, ErrorBars};
 /// spacing. With fewer rows the runup of a steep wave has irregular errors of tenths of the depth.
 const FEWEST_ROWS: f64 = 10.0;
 
+/// Whether the case would have ten rows of particles or more with `ratio` times its spacing.
+pub fn has_enough_rows(config: &CaseConfig, ratio: f64) -> bool {
+    let rows = config.scene.frame().depth / config.numerics.particle_spacing_m;
+    rows >= ratio * FEWEST_ROWS - 1e-6
+}
+
 /// Spacings of a case's companions over its own. Twice the spacing costs about an eighth, √2 times
 /// the spacing about a third.
 fn ratios(bars: ErrorBars, config: &CaseConfig) -> &'static [f64] {
-    let rows = || config.scene.frame().depth / config.numerics.particle_spacing_m;
     match bars {
         ErrorBars::None => &[],
-        ErrorBars::Pair if rows() < 2.0 * FEWEST_ROWS - 1e-6 => &[SQRT_2],
+        ErrorBars::Pair if !has_enough_rows(config, 2.0) => &[SQRT_2],
         ErrorBars::Pair => &[2.0],
         ErrorBars::Triple => &[SQRT_2, 2.0],
     }

@@ -24,6 +24,7 @@ mod unread;
 pub use axis::GridAxis;
 pub use case::{Assignments, Case, CaseId, PHYSICS_VERSION};
 pub use case_map::CaseMap;
+pub use companions::has_enough_rows;
 pub use file::{SweepFile, accuracy_keys};
 pub use limits::limits_keys;
 pub use plan::{Plan, PlannedCase, PlannedTrunk};
