@@ -63,6 +63,27 @@ fn a_still_tank_reports_its_probes() {
     }
 }
 
+/// The story: still water grew restless with ghosts whose gravity acts at their mirror points, F* rose by 70 %, and
+/// no number was told to be doubtful. With gravity in the sum it stays still.
+#[test]
+fn still_water_that_grows_restless_is_doubtful() {
+    for (gravity, doubtful) in [("at-mirror", true), ("in-sum", false)] {
+        let gravity = format!("numerics.ghost_gravity={gravity}");
+        let settings = [
+            "numerics.preset=huang2019",
+            "numerics.particle_spacing_m=0.02",
+            "numerics.boundary=normalized",
+            "scene.tank_length_m=0.5",
+            "scene.end_time_s=3",
+            &gravity,
+        ];
+        let (root, _) = scene(&shipped("hydrostatic"), &settings, &[]);
+        let summary = fs::read_to_string(root.path().join("out/summary.csv")).unwrap();
+        let told = summary.contains("still water did not stay still");
+        assert_eq!(told, doubtful, "{gravity}: {summary}");
+    }
+}
+
 #[test]
 fn a_dam_breaks_and_is_filmed() {
     let settings = ["numerics.particle_spacing_m=0.03", "scene.tank_length_m=2.4"];

@@ -127,8 +127,16 @@ impl Scene {
     /// Whether still water stands before a wall that leans, until it would begin to turn there. A
     /// wave needs water of less viscosity.
     pub(super) fn stirs_at_leaning_wall(&self) -> bool {
-        let waves = self.seawall().is_some_and(|scene| scene.wave_height_ratio > 0.0);
-        self.wall_angle_deg() != 90.0 && !waves && self.lasts(STIRS_AFTER)
+        self.wall_angle_deg() != 90.0 && self.is_still() && self.lasts(STIRS_AFTER)
+    }
+
+    /// Whether nothing moves its still water: there is a wall, and nothing makes a wave.
+    pub fn is_still(&self) -> bool {
+        match self {
+            Scene::Seawall(scene) => scene.wave_height_ratio == 0.0 && scene.recorded.is_none(),
+            Scene::Hydrostatic(_) => true,
+            _ => false,
+        }
     }
 
     /// Angle of its right wall from the bed; 90 where no wall may lean.

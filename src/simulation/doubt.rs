@@ -30,6 +30,8 @@ const LOPSIDED_OF_SPACING: f64 = 0.1;
 /// Over a bed paddle and wall cannot be compared. There still water presses by less than this share
 /// more or less than ½ρgd², where it rests on three rows or more.
 const OFF_OVER_BED: f64 = 0.05;
+/// Where nothing makes a wave the force keeps within this share of that of still water.
+const OFF_WHILE_STILL: f64 = 0.05;
 
 /// The data by which a finished case is judged, besides its outcome.
 pub(super) struct Evidence<'a> {
@@ -58,6 +60,8 @@ pub(super) struct Evidence<'a> {
     pub lopsided: Option<f64>,
     /// Whether still water presses an upright wall over a bed, and by its weight alone.
     pub over_bed: bool,
+    /// Whether nothing makes a wave and the wall stands.
+    pub stays_still: bool,
     /// g h/c0², percent; zero where the water is incompressible.
     pub compression_percent: f64,
     /// A later maximum counts as one at the end, seconds.
@@ -74,6 +78,7 @@ impl Evidence<'_> {
         reasons.extend(self.energy(outcome));
         reasons.extend(self.compression(outcome));
         reasons.extend(self.at_rest().or_else(|| self.at_rest_over_bed(outcome)));
+        reasons.extend(self.wanders(outcome));
         reasons.extend(self.stops(outcome));
         reasons.extend(self.cut_off(outcome));
         (!reasons.is_empty()).then(|| reasons.join("; "))
@@ -144,6 +149,19 @@ impl Evidence<'_> {
             let (percent, how) = (100.0 * off.abs(), if off > 0.0 { "more" } else { "less" });
             format!(
                 "force at rest: still water pressed the wall {percent:.0} % {how} than it should"
+            )
+        })
+    }
+
+    /// Noise that grows in water that should rest.
+    fn wanders(&self, outcome: &Outcome) -> Option<String> {
+        let (most, end) = (outcome.force_max.value, outcome.force_end);
+        // A wall that no particle touches is pressed by nothing.
+        let least = if outcome.force_at_rest == 0.0 { 0.0 } else { 1.0 - OFF_WHILE_STILL };
+        let off = |force: f64| !(least..=1.0 + OFF_WHILE_STILL).contains(&force);
+        (self.stays_still && (off(most) || off(end))).then(|| {
+            format!(
+                "force at rest: still water did not stay still, F* was {most:.2} at most and {end:.2} at the end"
             )
         })
     }

@@ -207,6 +207,8 @@ impl Run {
             end: self.clock.time - MEAN_SPAN * tank.frame.unit_time() - self.time_step,
             lopsided: logbook.lopsided.filter(|_| compressible && has_wave && tank.upright()),
             over_bed: has_wave && tank.upright() && water.walls().profile.is_some(),
+            stays_still: self.config.scene.is_still()
+                && outcome.displacement_max.is_none_or(|most| most.value == 0.0),
             compression_percent: if compressible {
                 100.0 * depth_speed / tank.sound_speed.powi(2)
             } else {

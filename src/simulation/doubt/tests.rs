@@ -54,6 +54,7 @@ fn doubt(
         is_wave: true,
         lopsided: Some(1e-4),
         over_bed: false,
+        stays_still: false,
         compression_percent: 1.6,
         end: 3.9,
     };
@@ -192,4 +193,20 @@ fn a_largest_force_or_runup_at_the_very_end_may_have_been_passed() {
     assert_eq!(with(at(1.005, 3.95), at(0.005, 3.99)), None, "still water");
     let still = Outcome { force_max: at(2.5, 3.95), ..outcome() };
     assert_eq!(doubt(&still, [9.0, 9.0], 0.0, |evidence| evidence.is_wave = false), None);
+}
+
+#[test]
+fn still_water_that_does_not_stay_still_is_doubtful() {
+    let still = |[force_at_rest, most, force_end]: [f64; 3], stays: bool| {
+        let force_max = at(most, 3.0);
+        let outcome = Outcome { force_max, force_end, force_at_rest, ..Outcome::default() };
+        doubt(&outcome, [0.0, 0.0], 0.0, |e| (e.stays_still, e.is_wave) = (stays, false))
+    };
+    assert_eq!(still([1.0, 1.03, 0.97], true), None);
+    let words = "still water did not stay still, F* was 1.72 at most and 1.01 at the end";
+    assert_eq!(still([1.0, 1.72, 1.01], true).unwrap(), format!("force at rest: {words}"));
+    assert!(still([1.0, 1.01, 0.9], true).is_some());
+    assert_eq!(still([1.0, 1.72, 0.9], false), None, "waves");
+    assert_eq!(still([0.0, 0.0, 0.0], true), None, "a dry wall");
+    assert!(still([0.0, 7.4, 4.4], true).is_some(), "a wall with half a row before it");
 }
