@@ -13,6 +13,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail};
 use clap::Parser;
+use seawall::keys::Override;
 use seawall::scene::{ProbeKind, Scene};
 use seawall::study::{Study, SweepFile};
 
@@ -31,6 +32,9 @@ struct Arguments {
     /// The table to write
     #[arg(long)]
     out: PathBuf,
+    /// Changes a key of the scene, as `--set` of the program does
+    #[arg(long, value_name = "KEY=VALUE")]
+    set: Vec<Override>,
     /// Distance of the columns, metres
     #[arg(long, default_value_t = 0.02)]
     column: f64,
@@ -46,7 +50,7 @@ fn main() -> Result<()> {
     let arguments = Arguments::parse();
     let path = &arguments.scene;
     let text = fs::read_to_string(path).with_context(|| path.display().to_string())?;
-    let study = Study::new(&SweepFile::read(&text, &[])?)?;
+    let study = Study::new(&SweepFile::read(&text, &arguments.set)?)?;
     let config = &study.cases[0].config;
     let Scene::Seawall(scene) = &config.scene else { bail!("{}: no tank", path.display()) };
     let Some(paddle) = scene.paddle() else { bail!("{}: its water is still", path.display()) };

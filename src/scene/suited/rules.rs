@@ -122,10 +122,11 @@ pub const SUITED: &[Suited] = &[
     },
     Suited {
         presets: DEFAULT,
-        scenes: "trains and standing waves",
+        scenes: "trains, standing waves, and uneven beds",
         keys: &[("ghost_gravity", "\"falling\"")],
-        why: "Ghosts that take all water to be at rest take energy from waves at the wall.",
-        holds: |a| a.scene.has_waves_that_go_on(),
+        why: "Ghosts that take all water to be at rest take energy from waves at the wall. Over beds they would throw \
+              steep waves too high.",
+        holds: |a| a.scene.has_waves_that_go_on() || a.scene.bed().is_some(),
         set: |n, _| n.ghost_gravity = GhostGravity::Falling,
     },
     Suited {
