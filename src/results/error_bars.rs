@@ -12,8 +12,9 @@
 //!   errors. The error by sound falls like the spacing, that by the spacing no slower
 //!   (`results/convergence`).
 //! - **Scatter**: between neighbouring spacings readings vary by a share of their size, levels by a
-//!   share of the spacing. High runups are off by a share of R²/h at any spacing. For a volume over a
-//!   crest it is the volume of the thickest water there over a length of one spacing.
+//!   share of the spacing. High runups are off by a share of R²/h at any spacing. At a crest loads and
+//!   levels vary with the place of its edge among the rows. For a volume over a crest it is the volume
+//!   of the thickest water there over a length of one spacing.
 //!
 //! A wall that stands has no bar of its displacement where the force may be the one that moves it, by
 //! the force's own bar.
@@ -49,6 +50,13 @@ const TIP_ERROR: f64 = 0.005;
 /// Scatter of a displacement, as a share of it.
 const DISPLACEMENT_SCATTER: f64 = 0.0021;
 
+// The edge of a crest lies somewhere between two rows. Set by 18 crests, and judged by 36 others
+// (docs/limits.md).
+/// Scatter of a load at a wall with a crest, as a share of it times Δx/h.
+const CREST_SCATTER: f64 = 0.3;
+/// Scatter of a level there, as a share of the spacing.
+const CREST_LEVEL_SCATTER: f64 = 0.2;
+
 impl ErrorBars {
     /// The bars of a successful case, from those of its companions that were successful.
     pub fn new(
@@ -59,6 +67,11 @@ impl ErrorBars {
         // Other scenes have none of these readings.
         let Some(scene) = config.scene.seawall() else { return ErrorBars::default() };
         let spacing = config.numerics.particle_spacing_m;
+        let row = spacing / scene.still_water_depth_m;
+        let [load_scatter, level_scatter] = match scene.behind {
+            Behind::Nothing => [0.0, LEVEL_SCATTER * row],
+            _ => [CREST_SCATTER * row, CREST_LEVEL_SCATTER * row],
+        };
         let ratio = |other: &CaseConfig| other.numerics.particle_spacing_m / spacing;
         let refined = |read: &dyn Fn(&Outcome) -> Option<f64>, order: f64| {
             let own = read(outcome)?;
@@ -73,13 +86,14 @@ impl ErrorBars {
             let (own, resolution) = refined(read, order)?;
             Some(resolution.hypot(scatter * own))
         };
-        let force = |read: &dyn Fn(&Outcome) -> Option<f64>| relative(read, ORDER, FORCE_SCATTER);
+        let force_scatter = FORCE_SCATTER.hypot(load_scatter);
+        let moment_scatter = MOMENT_SCATTER.hypot(load_scatter);
+        let force = |read: &dyn Fn(&Outcome) -> Option<f64>| relative(read, ORDER, force_scatter);
         let moment =
-            |read: &dyn Fn(&Outcome) -> Option<f64>| relative(read, tip_order, MOMENT_SCATTER);
+            |read: &dyn Fn(&Outcome) -> Option<f64>| relative(read, tip_order, moment_scatter);
         let runup = |read: &dyn Fn(&Outcome) -> Option<f64>| {
             let (own, resolution) = refined(read, tip_order)?;
-            let scatter = LEVEL_SCATTER * spacing / scene.still_water_depth_m;
-            Some(resolution.hypot(scatter).hypot(TIP_ERROR * own * own))
+            Some(resolution.hypot(level_scatter).hypot(TIP_ERROR * own * own))
         };
         // A wall that stands, under a force that may be the one that moves it.
         let whole_force = force(&|o| Some(o.force_max.value));

@@ -36,8 +36,8 @@ pub(super) const BEDS: &[Limit] = &[
     ),
     (
         |case| case.breaks_at_wall(),
-        "a wave higher than 0.75 of the still water at its wall: it breaks there; at 0.8 forces were 9 % lower at five rows \
-         over that depth than at ten, and 4 % at seven; at 1.2 they were up to 10 % apart at five to ten rows, and up to 55 % \
+        "a wave higher than 0.75 of the still water at its wall: it breaks there; at 0.8 forces were 7 % lower at five rows \
+         over that depth than at ten, and 3 % at seven; at 1.2 they were up to 10 % apart at five to ten rows, and up to 55 % \
          apart at four to six rows of less water",
     ),
     (
@@ -87,7 +87,7 @@ pub(super) const BEDS: &[Limit] = &[
             case.has_crest() && case.wave >= 0.6 - 1e-9 && few
         },
         "a crest that water goes over, under H/h of 0.6 and more at fewer than 15 rows: F* was up to 2.7 % and M* up to 4.2 % \
-         high (H/h = 0.65, a freeboard of 0.4 h), by 3.6 and 5.4 error bars",
+         high (H/h = 0.65, a freeboard of 0.4 h), by 1.2 and 1.8 error bars",
     ),
     (
         |case| case.has_gauge_on_floor(),
