@@ -1,5 +1,7 @@
 //! Whether a quoted number is doubtful, so that its history should be looked at first.
 
+mod still_water;
+
 use super::blows::Blows;
 use super::doubt_reasons::END_OF_RUN;
 use super::face_gaps::FaceGaps;
@@ -24,14 +26,10 @@ const COMPRESSION_PERCENT: f64 = 6.0;
 /// Force and runup at the end show no wave if they exceed those of still water by less than this,
 /// over its force and over h.
 const RIPPLE: f64 = 0.01;
-/// Still water presses wall and paddle alike. With sound ghosts they differ by less than this many
-/// times (Δx/h)².
-const LOPSIDED_OF_SPACING: f64 = 0.1;
-/// Over a bed paddle and wall cannot be compared. There still water presses by less than this share
-/// more or less than ½ρgd², where it rests on three rows or more.
-const OFF_OVER_BED: f64 = 0.05;
-/// Where nothing makes a wave the force keeps within this share of that of still water.
-const OFF_WHILE_STILL: f64 = 0.05;
+/// An impulse is cut off where the force is still above this share of the impact's F* - 1.
+const STILL_PRESSES: f64 = 0.1;
+/// Without the effect of sound a wall goes hardly farther than it went, and not this many times as far.
+const FARTHER: f64 = 1.1;
 
 /// The data by which a finished case is judged, besides its outcome.
 pub(super) struct Evidence<'a> {
@@ -44,6 +42,8 @@ pub(super) struct Evidence<'a> {
     pub blows: &'a Blows,
     /// Whether the wall left its stop in the sound of an impact on the way to its largest X*.
     pub kicked: bool,
+    /// Largest |X*| of any step, with the effect of sound.
+    pub farthest: f64,
     /// Energy that has come from nowhere.
     pub found: &'a Found,
     /// The energy that this is relative to, as a rule the paddle's work, J per metre of width ...
@@ -66,6 +66,10 @@ pub(super) struct Evidence<'a> {
     pub compression_percent: f64,
     /// A later maximum counts as one at the end, seconds.
     pub end: f64,
+    /// Whether the run ends in the first impact.
+    pub in_impact: bool,
+    /// Whether water of a single wave goes over the crest as the run ends.
+    pub goes_over: bool,
 }
 
 impl Evidence<'_> {
@@ -80,7 +84,9 @@ impl Evidence<'_> {
         reasons.extend(self.at_rest().or_else(|| self.at_rest_over_bed(outcome)));
         reasons.extend(self.wanders(outcome));
         reasons.extend(self.stops(outcome));
+        reasons.extend(self.pumped(outcome));
         reasons.extend(self.cut_off(outcome));
+        reasons.extend(self.goes_on(outcome));
         (!reasons.is_empty()).then(|| reasons.join("; "))
     }
 
@@ -129,43 +135,6 @@ impl Evidence<'_> {
             .then(|| format!("compression: its weight makes the water {compression:.1} % denser"))
     }
 
-    fn at_rest(&self) -> Option<String> {
-        let apart = self
-            .lopsided
-            .filter(|apart| apart.abs() > LOPSIDED_OF_SPACING * self.spacing * self.spacing);
-        apart.map(|apart| {
-            let percent = 100.0 * apart;
-            format!(
-                "force at rest: still water pressed the wall {percent:+.2} % more than the paddle"
-            )
-        })
-    }
-
-    /// F\* counts from the force at rest. If that is wrong, so is all that follows.
-    fn at_rest_over_bed(&self, outcome: &Outcome) -> Option<String> {
-        let off = outcome.force_at_rest - 1.0;
-        let pressed = self.over_bed && outcome.force_at_rest != 0.0;
-        (pressed && off.abs() > OFF_OVER_BED).then(|| {
-            let (percent, how) = (100.0 * off.abs(), if off > 0.0 { "more" } else { "less" });
-            format!(
-                "force at rest: still water pressed the wall {percent:.0} % {how} than it should"
-            )
-        })
-    }
-
-    /// Noise that grows in water that should rest.
-    fn wanders(&self, outcome: &Outcome) -> Option<String> {
-        let (most, end) = (outcome.force_max.value, outcome.force_end);
-        // A wall that no particle touches is pressed by nothing.
-        let least = if outcome.force_at_rest == 0.0 { 0.0 } else { 1.0 - OFF_WHILE_STILL };
-        let off = |force: f64| !(least..=1.0 + OFF_WHILE_STILL).contains(&force);
-        (self.stays_still && (off(most) || off(end))).then(|| {
-            format!(
-                "force at rest: still water did not stay still, F* was {most:.2} at most and {end:.2} at the end"
-            )
-        })
-    }
-
     /// Forces and runups that would have risen further. Displacements have a column of their own
     /// for that.
     fn cut_off(&self, outcome: &Outcome) -> Option<String> {
@@ -179,6 +148,26 @@ impl Evidence<'_> {
             [force, runup].into_iter().filter(at_end).map(|(name, ..)| name).collect();
         (!told.is_empty()).then(|| {
             format!("{END_OF_RUN}: {} at the very end, so more may have followed", told.join(", "))
+        })
+    }
+
+    /// An impulse and a volume that would have grown further.
+    fn goes_on(&self, outcome: &Outcome) -> Option<String> {
+        let first = outcome.first_force_max.filter(|_| self.in_impact);
+        let presses = first
+            .is_some_and(|first| outcome.force_end - 1.0 > STILL_PRESSES * (first.value - 1.0));
+        let sums = [("first_impulse", presses), ("overtopping_volume_m2", self.goes_over)];
+        let told: Vec<_> = sums.iter().filter(|(_, grows)| *grows).map(|(name, _)| *name).collect();
+        (!told.is_empty())
+            .then(|| format!("{END_OF_RUN}: {} still grew, so it is a part", told.join(", ")))
+    }
+
+    /// Sound that was taken off wrongly.
+    fn pumped(&self, outcome: &Outcome) -> Option<String> {
+        let told = outcome.displacement_max?.value;
+        (told > FARTHER * self.farthest).then(|| {
+            let times = told / self.farthest;
+            format!("sound: displacement_max is {times:.1} times what the wall went with its sound")
         })
     }
 

@@ -192,6 +192,7 @@ impl Run {
             gaps: &logbook.face_gaps,
             blows: &m.blows,
             kicked: m.kicked,
+            farthest: m.farthest,
             largest_gap: logbook.health.largest_gap(&self.bounds),
             found: &logbook.found,
             work: scale,
@@ -205,6 +206,8 @@ impl Run {
             is_wave: has_wave && tank.paddle.is_some(),
             // Means end half their span earlier.
             end: self.clock.time - MEAN_SPAN * tank.frame.unit_time() - self.time_step,
+            in_impact: hits_first && m.first.is_under_way(),
+            goes_over: hits_first && logbook.overtopping.as_ref().is_some_and(Overtopping::goes_on),
             lopsided: logbook.lopsided.filter(|_| compressible && has_wave && tank.upright()),
             over_bed: has_wave && tank.upright() && water.walls().profile.is_some(),
             stays_still: self.config.scene.is_still()

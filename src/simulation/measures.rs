@@ -32,6 +32,8 @@ pub struct Measures {
     pub runup: Option<Maximum>,
     /// X*; of a wall that nothing drives back |X*|.
     pub displacement: Option<Maximum>,
+    /// Largest |X*| of any step, with the effect of sound.
+    pub farthest: f64,
     /// Whether the wall left its stop in the sound of an impact before that X*.
     pub kicked: bool,
     /// Largest F* of a single step in which no impact can be heard.
@@ -66,6 +68,7 @@ impl Measures {
             force: None,
             runup: None,
             displacement: None,
+            farthest: 0.0,
             kicked: false,
             force_raw: None,
             last: [0.0; 3],
@@ -95,6 +98,7 @@ impl Measures {
         }
         self.blows.follow(time, displacement);
         self.travel.push(time, displacement);
+        self.farthest = self.farthest.max(displacement.abs());
         let drowned = self.blows.drown(time);
         if drowned {
             let first = &mut self.first;

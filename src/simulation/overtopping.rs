@@ -14,6 +14,8 @@ use crate::scheme::Scheme;
 const COLUMN: f64 = 3.0;
 /// Water counts as gone over gradually, along this many particle spacings around the back.
 const WAY: f64 = 5.0;
+/// Water of a wave still goes over while the discharge is above this share of its maximum.
+const STILL_GOES: f64 = 0.02;
 /// A column has a speed if it holds the water of at least this many particles.
 const FEWEST: f64 = 3.0;
 
@@ -85,6 +87,11 @@ impl Overtopping {
             thickness_max_m: thickness,
             speed_max_m_per_s: speed,
         }
+    }
+
+    /// Whether water of a wave still goes over.
+    pub fn goes_on(&self) -> bool {
+        self.last.discharge > STILL_GOES * self.most.discharge
     }
 
     /// Tells where all the water is.

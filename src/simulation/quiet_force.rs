@@ -157,9 +157,12 @@ impl QuietForce {
         let turns = || self.turns.iter().filter(|turn| alike(turn.time));
         let count = turns().count() as f64;
         let reach = turns().next_back()?.time - turns().next()?.time;
-        // If the turns cover little more than half of that time, some are missing.
+        // If the turns cover little more than half of that time, some are missing. But where few fit
+        // into it they cover no more.
         let whole = side.min(middle - from) + side.min(to - middle);
-        if count < 3.0 || reach < 0.625 * whole {
+        let turn = self.lag - self.side;
+        let fit = (whole / turn + 1e-9).floor();
+        if count < 3.0 || (reach < 0.625 * whole && count < fit) {
             return None;
         }
         let mean = |part: &dyn Fn(&Compression) -> f64| turns().map(part).sum::<f64>() / count;

@@ -83,6 +83,15 @@ pub(super) const BEDS: &[Limit] = &[
     ),
     (
         |case| {
+            let keys = case.scene().seawall().and_then(|scene| scene.crest.as_ref());
+            let clear = 1.5 * case.numerics.particle_spacing_m - 1e-9;
+            keys.is_some_and(|crest| crest.crest_freeboard_m < clear)
+        },
+        "a freeboard of less than one and a half particle spacings: still water moved at the crest's edge there; R* was up to \
+         0.03 h without a wave, and at a tenth of a spacing pressures fell by 5.6 % of ρgh in 60 s",
+    ),
+    (
+        |case| {
             let few = case.rows.is_some_and(|rows| rows < 15.0);
             case.has_crest() && case.wave >= 0.6 - 1e-9 && few
         },

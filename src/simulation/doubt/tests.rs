@@ -46,6 +46,7 @@ fn doubt(
         largest_gap: 0.1,
         blows: &blows,
         kicked: false,
+        farthest: 0.8,
         found: &found,
         work: 100.0,
         counted_in: "the paddle's work",
@@ -57,6 +58,8 @@ fn doubt(
         stays_still: false,
         compression_percent: 1.6,
         end: 3.9,
+        in_impact: false,
+        goes_over: false,
     };
     change(&mut evidence);
     evidence.doubt(outcome)
@@ -209,4 +212,26 @@ fn still_water_that_does_not_stay_still_is_doubtful() {
     assert_eq!(still([1.0, 1.72, 0.9], false), None, "waves");
     assert_eq!(still([0.0, 0.0, 0.0], true), None, "a dry wall");
     assert!(still([0.0, 7.4, 4.4], true).is_some(), "a wall with half a row before it");
+}
+
+/// The story: a light, stiff wall was told to go 200,000 times as far as it went, without a word.
+#[test]
+fn a_wall_that_is_told_to_go_farther_than_it_went_is_doubtful() {
+    let with = |farthest| doubt(&outcome(), [0.0, 0.0], 0.0, |e| e.farthest = farthest);
+    assert_eq!([0.75, 0.82].map(with), [None, None]);
+    let words = "displacement_max is 2.0 times what the wall went with its sound";
+    assert_eq!(with(0.4).unwrap(), format!("sound: {words}"));
+}
+
+/// The story: water went over a crest as the run ended, and a quarter of the volume was missing without a word.
+#[test]
+fn an_impulse_and_a_volume_that_still_grow_at_the_end_are_doubtful() {
+    let with = |force_end: f64, change: &dyn Fn(&mut Evidence<'_>)| {
+        doubt(&Outcome { force_end, ..outcome() }, [0.0, 0.0], 0.0, change)
+    };
+    let told = |names| Some(format!("end of run: {names} still grew, so it is a part"));
+    assert_eq!(with(1.5, &|e| e.goes_over = true), told("overtopping_volume_m2"));
+    assert_eq!(with(1.5, &|e| e.in_impact = true), told("first_impulse"));
+    assert_eq!(with(1.05, &|e| e.in_impact = true), None);
+    assert_eq!(with(1.5, &|_| ()), None);
 }

@@ -42,3 +42,16 @@ fn what_was_measured_of_presets_walls_crests_and_steps_is_told() {
     assert_eq!(short.map(steps), [false; 2]);
     assert_eq!(["", "time_step_s = 0.002"].map(steps), [true; 2]);
 }
+
+/// The story: a crest half a spacing over still water was taken without a word, and the water moved by itself.
+#[test]
+fn a_crest_near_the_still_water_is_told() {
+    let told = |freeboard: f64| {
+        let scene = format!(
+            "tank_length_m = 2\nbehind = \"outflow\"\ncrest_freeboard_m = {freeboard}\ncrest_width_m = 0.2"
+        );
+        let config = CaseConfig::of(&scene, "particle_spacing_m = 0.02");
+        limits(&config).iter().any(|limit| limit.contains("one and a half particle spacings"))
+    };
+    assert_eq!([0.01, 0.029, 0.03, 0.1].map(told), [true, true, false, false]);
+}
