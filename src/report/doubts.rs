@@ -107,15 +107,13 @@ mod tests {
     fn doubtful_results_are_counted_by_reason() {
         let (_directory, mut data) =
             fixture::read(fixture::movable(&[0.3], &[10.0, 500.0, 1e5], &[50.0]));
-        for row in &mut data.rows {
-            *row = row.clone().with(&DOUBTFUL, "false");
-        }
+        data.set_all(&DOUBTFUL, false);
         assert_eq!(doubtful(&data).unwrap(), "No result is doubtful.");
         let (energy, compression) =
             ("energy: the budget is open by +3.1 %", "compression: its weight");
         let reasons = [format!("{energy}; {compression}"), "energy: 1.2 % of the work".to_owned()];
         for (row, reason) in data.rows.iter_mut().zip(reasons) {
-            *row = row.clone().with(&DOUBTFUL, "true").with(&DOUBTFUL_REASON, &*reason);
+            row.set(&DOUBTFUL, "true").set(&DOUBTFUL_REASON, &*reason);
         }
         assert_eq!(
             doubtful(&data).unwrap(),

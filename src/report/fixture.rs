@@ -189,6 +189,14 @@ impl Loaded {
         Loaded { rows, keys, ..Loaded::default() }
     }
 
+    /// Changes a value in all rows.
+    pub fn set_all(&mut self, column: &'static Column, value: impl ToString) -> &mut Loaded {
+        for row in &mut self.rows {
+            row.set(column, value.to_string());
+        }
+        self
+    }
+
     /// The same rows as of this sweep file with these settings of the command line.
     pub fn made_from(self, file: &str, overrides: &[&str]) -> Loaded {
         let manifest =

@@ -213,6 +213,13 @@ impl Row {
         PLACE.map(|column| self.number(column).unwrap_or(f64::NAN).to_bits())
     }
 
+    /// Changes a value.
+    #[cfg(test)]
+    pub fn set(&mut self, column: &'static Column, value: impl ToString) -> &mut Row {
+        *self = std::mem::take(self).with(column, value);
+        self
+    }
+
     /// The row with another value.
     #[cfg(test)]
     pub fn with(self, column: &'static Column, value: impl ToString) -> Row {

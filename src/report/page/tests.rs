@@ -80,7 +80,7 @@ fn one_lost_particle_is_none_of_many() {
     let (_directory, mut data) = fixture::read(fixture::fixed());
     let told = health_line(&data);
     assert!(told.contains(" 0 particles were lost."), "{told}");
-    data.rows[0] = data.rows[0].clone().with(&PARTICLES_LOST, 1);
+    data.rows[0].set(&PARTICLES_LOST, 1);
     let told = health_line(&data);
     assert!(told.contains(" 1 particle was lost."), "{told}");
 }

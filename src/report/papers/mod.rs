@@ -168,9 +168,7 @@ mod tests {
     fn a_study_in_the_papers_tank_meets_their_numbers() {
         let directory = study(2.5, 50.0, 1.0);
         let mut data = Loaded::read(directory.path()).unwrap();
-        for row in &mut data.rows {
-            *row = row.clone().with(&STROKE_CENTRE, 1.0);
-        }
+        data.set_all(&STROKE_CENTRE, 1.0);
         let cases = Cases::of(&data);
         let found = confront(&cases).unwrap();
         let max = |found: &&Found| found.printed.quantity == "displacement_max";

@@ -129,7 +129,7 @@ mod tests {
         let keys = [("spring_stiffness_n_per_m", "500"), ("seawall_mass_kg_per_m", "250")];
         data.keys = keys.map(|(name, cell)| Key::new(name, [cell, cell])).into();
         for (row, force) in data.rows.iter_mut().zip([2.2, 2.0]) {
-            *row = row.clone().with(&FIRST_FORCE_MAX, force);
+            row.set(&FIRST_FORCE_MAX, force);
         }
         let first = |data: &Loaded| chosen(data, scales(data).as_deref())[0].id().to_owned();
         assert_eq!(first(&data), "case-0000");
@@ -157,7 +157,7 @@ mod tests {
         }
         // Fixed walls were said to have a stop.
         for (stops, told) in [(0, false), (1, true)] {
-            data.rows.iter_mut().for_each(|row| *row = row.clone().with(&STOPS, stops));
+            data.set_all(&STOPS, stops);
             let caption = figures(&data).unwrap().remove(0).caption;
             assert_eq!(caption.contains("after the wall hit its stop"), told, "{caption}");
         }

@@ -84,9 +84,7 @@ mod tests {
     fn bars_are_told_where_there_are_any() {
         let (_directory, mut data) = fixture::read(fixture::sweep());
         assert!(figures(&data).iter().all(|f| !f.caption.contains("Bars")));
-        for row in &mut data.rows {
-            *row = row.clone().with(&FORCE_ERROR, 0.03);
-        }
+        data.set_all(&FORCE_ERROR, 0.03);
         for figure in figures(&data) {
             let told = figure.caption.contains("Bars: estimated errors.");
             assert_eq!(told, figure.name == "response-force", "{}", figure.caption);

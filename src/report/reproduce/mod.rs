@@ -192,12 +192,10 @@ mod tests {
     #[test]
     fn doubtful_results_behind_a_figure_are_told() {
         let (_directory, mut data) = fixture::read(fixture::dam_breaks(3));
-        for row in &mut data.rows {
-            *row = row.clone().with(&DOUBTFUL, false);
-        }
+        data.set_all(&DOUBTFUL, false);
         assert_eq!(doubted(&data, false), None);
-        let doubtful = data.rows[1].clone().with(&DOUBTFUL, true);
-        data.rows[1] = doubtful.with(&DOUBTFUL_REASON, "force gap: the two differ by 3.3 %");
+        let reason = "force gap: the two differ by 3.3 %";
+        data.rows[1].set(&DOUBTFUL, true).set(&DOUBTFUL_REASON, reason);
         let told = doubted(&data, false).unwrap();
         assert!(told.starts_with("1 of 3 results is doubtful: force gap (1)."), "{told}");
         assert!(doubted(&data, true).unwrap().contains("1 of 3 results is doubtful"));

@@ -135,16 +135,14 @@ mod tests {
     fn bars_of_the_whole_run_are_told_where_there_is_no_first_impact() {
         let (_directory, mut data) = fixture::read(fixture::fixed());
         data.rows.truncate(2);
-        for row in &mut data.rows {
-            let bare = row.clone().with(&FIRST_FORCE_MAX, "").with(&FIRST_RUNUP_MAX, "");
-            let whole = bare.with(&FORCE_MAX, 1.1).with(&RUNUP_MAX, 0.05);
-            *row = whole.with(&FORCE_MAX_ERROR, 0.011).with(&RUNUP_MAX_ERROR, 0.004);
-        }
+        data.set_all(&FIRST_FORCE_MAX, "").set_all(&FIRST_RUNUP_MAX, "");
+        data.set_all(&FORCE_MAX, 1.1).set_all(&RUNUP_MAX, 0.05);
+        data.set_all(&FORCE_MAX_ERROR, 0.011).set_all(&RUNUP_MAX_ERROR, 0.004);
         let told = super::bars(&data).unwrap();
         assert!(told.contains("F* ± 1 %") && told.contains("R* ± 0.004 h"), "{told}");
         assert!(!told.contains("no bar"), "{told}");
         data.rows[0].regular = true;
-        data.rows[0] = data.rows[0].clone().with(&FIRST_FORCE_MAX, 1.2).with(&FORCE_ERROR, 0.5);
+        data.rows[0].set(&FIRST_FORCE_MAX, 1.2).set(&FORCE_ERROR, 0.5);
         assert_eq!(super::bars(&data).unwrap(), told, "of regular waves the whole run counts");
     }
 
@@ -155,8 +153,7 @@ mod tests {
         let (_directory, mut data) = fixture::read(fixture::fixed());
         data.rows.truncate(3);
         for (row, volume) in data.rows.iter_mut().zip([0.0, 0.002, 0.01]) {
-            *row = row.clone().with(&OVERTOPPING_VOLUME, volume);
-            *row = row.clone().with(&OVERTOPPING_VOLUME_ERROR, 0.0005);
+            row.set(&OVERTOPPING_VOLUME, volume).set(&OVERTOPPING_VOLUME_ERROR, 0.0005);
         }
         let told = super::bars(&data).unwrap();
         assert!(told.contains("V ± 15 %, ± 25 % (H/h = 0.2)"), "{told}");
@@ -167,7 +164,7 @@ mod tests {
     fn still_water_has_no_share() {
         let (_directory, mut data) = fixture::read(fixture::movable(&[0.0, 0.5], &[10.0], &[50.0]));
         for (row, moved) in data.rows.iter_mut().zip([2e-4, 2.0]) {
-            *row = row.clone().with(&DISPLACEMENT_MAX, moved).with(&DISPLACEMENT_ERROR, 0.005);
+            row.set(&DISPLACEMENT_MAX, moved).set(&DISPLACEMENT_ERROR, 0.005);
         }
         let told = super::bars(&data).unwrap();
         assert!(told.contains("X* ± 0.25 %, ± 0.25 % (H/h = 0.5"), "{told}");
@@ -179,8 +176,7 @@ mod tests {
         data.rows.push(data.rows[0].clone());
         let bars = [0.01, 0.05];
         for (row, bar) in data.rows.iter_mut().zip(bars) {
-            *row = row.clone().with(&FIRST_FORCE_MAX, 2).with(&FORCE_ERROR, bar);
-            *row = row.clone().with(&RUNUP_ERROR, bar);
+            row.set(&FIRST_FORCE_MAX, 2).set(&FORCE_ERROR, bar).set(&RUNUP_ERROR, bar);
         }
         assert_eq!(
             super::bars(&data).unwrap(),

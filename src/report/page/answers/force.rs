@@ -122,7 +122,7 @@ mod tests {
         data = data.made_from(text, &[]);
         let keys = [("spring_stiffness_n_per_m", "500"), ("seawall_mass_kg_per_m", "250")];
         data.keys = keys.map(|(name, cell)| Key::new(name, [cell])).into();
-        data.rows[0] = data.rows[0].clone().with(&FIRST_FORCE_MAX, 2.0).with(&FORCE_MAX, 2.5);
+        data.rows[0].set(&FIRST_FORCE_MAX, 2.0).set(&FORCE_MAX, 2.5);
         assert_eq!(
             largest(&data).unwrap(),
             "The largest force is F* = 2, that is 1.57 kN per metre of wall, at H/h = 0.5, k = 500 \
@@ -150,11 +150,11 @@ mod tests {
         data = data.made_from(text, &[]);
         let keys = [("spring_stiffness_n_per_m", "500"), ("seawall_mass_kg_per_m", "250")];
         data.keys = keys.map(|(name, cell)| Key::new(name, [cell, cell])).into();
-        data.rows[0] = data.rows[0].clone().with(&FIRST_FORCE_MAX, 2.0).with(&FORCE_MAX, 2.0);
-        data.rows[1] = data.rows[1].clone().with(&FIRST_FORCE_MAX, 3.0).with(&FORCE_MAX, 3.0);
+        data.rows[0].set(&FIRST_FORCE_MAX, 2.0).set(&FORCE_MAX, 2.0);
+        data.rows[1].set(&FIRST_FORCE_MAX, 3.0).set(&FORCE_MAX, 3.0);
         let told = largest(&data).unwrap();
         assert!(told.starts_with("The largest force of all is F* = 3, that is 0.589 kN"), "{told}");
-        data.rows[1] = data.rows[1].clone().with(&DOUBTFUL, "true");
+        data.rows[1].set(&DOUBTFUL, "true");
         let told = largest(&data).unwrap();
         assert!(told.ends_with(" The result is doubtful: look at its history first."), "{told}");
         data.keys.push(Key::new("still_water_depth_m", ["0.4", "0.2"]));

@@ -41,9 +41,9 @@ mod tests {
         data.rows.truncate(3);
         // Sums of no water leave some 1e-14 m².
         for (row, volume) in data.rows.iter_mut().zip([1e-14, 0.002, 0.0125]) {
-            *row = row.clone().with(&OVERTOPPING_VOLUME, volume);
+            row.set(&OVERTOPPING_VOLUME, volume);
         }
-        data.rows[2] = data.rows[2].clone().with(&OVERTOPPING_VOLUME_ERROR, 0.0005);
+        data.rows[2].set(&OVERTOPPING_VOLUME_ERROR, 0.0005);
         let told = largest(&data).unwrap();
         assert_eq!(
             told,

@@ -49,12 +49,10 @@ mod tests {
     fn a_beach_is_told_by_its_runup() {
         let (_directory, mut data) = fixture::read(fixture::fixed());
         assert_eq!(highest(&data), None, "water stands at the wall");
-        for row in &mut data.rows {
-            let dry = row.clone().with(&FIRST_FORCE_MAX, "").with(&FIRST_RUNUP_MAX, "");
-            *row = dry.with(&FORCE_MAX, 0.0).with(&FORCE_AT_REST, 0.0).with(&RUNUP_MAX, 0.5);
-        }
+        data.set_all(&FIRST_FORCE_MAX, "").set_all(&FIRST_RUNUP_MAX, "");
+        data.set_all(&FORCE_MAX, 0.0).set_all(&FORCE_AT_REST, 0.0).set_all(&RUNUP_MAX, 0.5);
         let id = data.rows[2].id().to_owned();
-        data.rows[2] = data.rows[2].clone().with(&RUNUP_MAX, 0.75);
+        data.rows[2].set(&RUNUP_MAX, 0.75);
         let wave = at(&data.rows[2]);
         assert_eq!(
             highest(&data).unwrap(),

@@ -38,9 +38,8 @@ fn a_train_stands_at_its_own_height_and_not_at_its_first_crest() {
     // Goda's points had no case: the page's script failed at one under the pointer, and keys died.
     assert!(svg.contains("by Goda's formula") && !svg.contains("data-case=\"\""), "{svg}");
     // A case without a first impact was left out.
-    let low = data.rows[0].clone().with(&FIRST_FORCE_MAX, "").with(&FIRST_RUNUP_MAX, "");
-    let id = low.id().to_owned();
-    data.rows[0] = low;
+    data.rows[0].set(&FIRST_FORCE_MAX, "").set(&FIRST_RUNUP_MAX, "");
+    let id = data.rows[0].id().to_owned();
     assert!(figures(&data).remove(0).svg().contains(&id));
 }
 
@@ -48,10 +47,8 @@ fn a_train_stands_at_its_own_height_and_not_at_its_first_crest() {
 #[test]
 fn a_beach_before_a_dry_wall_has_its_runup_drawn() {
     let (_directory, mut data) = fixture::read(fixture::fixed());
-    for row in &mut data.rows {
-        let dry = row.clone().with(&FIRST_FORCE_MAX, "").with(&FIRST_RUNUP_MAX, "");
-        *row = dry.with(&FORCE_MAX, 0.0).with(&FORCE_AT_REST, 0.0);
-    }
+    data.set_all(&FIRST_FORCE_MAX, "").set_all(&FIRST_RUNUP_MAX, "");
+    data.set_all(&FORCE_MAX, 0.0).set_all(&FORCE_AT_REST, 0.0);
     let beach = figures(&data).remove(0);
     assert_eq!(beach.title, "Runup before a fixed wall");
     let told = "Largest runup of the whole run before a fixed wall against the wave height";
@@ -61,6 +58,6 @@ fn a_beach_before_a_dry_wall_has_its_runup_drawn() {
     assert!(svg.contains("\"runup_max\"") && !svg.contains("\"force_max\""), "{svg}");
     assert!(!svg.contains("Goda") && !svg.contains("exact solitary wave"), "{svg}");
     // A wave that reaches the wall presses on it.
-    data.rows[0] = data.rows[0].clone().with(&FORCE_MAX, 0.3);
+    data.rows[0].set(&FORCE_MAX, 0.3);
     assert_eq!(figures(&data).remove(0).title, "Runup and force at a fixed wall");
 }

@@ -23,9 +23,7 @@ fn the_caption_says_what_was_picked_out_of_what() {
 #[test]
 fn caissons_have_histories_too() {
     let (_directory, mut data) = fixture::read(fixture::movable(&[0.5], &[10.0], &[50.0, 250.0]));
-    for row in &mut data.rows {
-        *row = row.clone().with(&SPRING_STIFFNESS, "").with(&LOG10_K_STAR, "");
-    }
+    data.set_all(&SPRING_STIFFNESS, "").set_all(&LOG10_K_STAR, "");
     let figure = figures(&data).unwrap().remove(0);
     let svg = figure.svg();
     assert!(svg.contains("caisson, m = 50 kg/m") && svg.contains("caisson, m = 250 kg/m"));
@@ -33,9 +31,8 @@ fn caissons_have_histories_too() {
     // Caissons beside springs and a fixed wall have them as well.
     let stiffnesses: Vec<f64> = (0..7).map(|power| 10_f64.powi(power)).collect();
     let (_directory, mut data) = fixture::read(fixture::movable(&[0.5], &stiffnesses, &[50.0]));
-    let fixed = data.rows[5].clone().with(&SPRING_STIFFNESS, "").with(&SEAWALL_MASS, "");
-    data.rows[5] = fixed;
-    data.rows[4] = data.rows[4].clone().with(&SPRING_STIFFNESS, "");
+    data.rows[5].set(&SPRING_STIFFNESS, "").set(&SEAWALL_MASS, "");
+    data.rows[4].set(&SPRING_STIFFNESS, "");
     data.rows.truncate(6);
     let caption = figures(&data).unwrap().remove(0).caption;
     assert!(!caption.contains("Shown"), "{caption}");
@@ -68,7 +65,7 @@ fn cases_of_a_wave_that_differ_in_other_keys_share_a_figure() {
     let told = "Shown are 6 of 21 finished cases of this wave height: spread over their order.";
     assert!(caption.ends_with(told), "{caption}");
     // With two walls over each crest, a figure names one crest.
-    data.rows.iter_mut().for_each(|row| *row = row.clone().with(&WAVE_HEIGHT_RATIO, 0.3));
+    data.set_all(&WAVE_HEIGHT_RATIO, 0.3);
     let each = figures(&data).unwrap();
     assert_eq!((each.len(), &*each[0].name), (6, "history-wave-0.3-crest-freeboard-m-0"));
     let told = "Of 21 combinations of other keys 6 have such a figure, spread evenly.";
@@ -138,7 +135,7 @@ fn a_panel_holds_the_maximum_that_is_quoted() {
     let history: String = (0..100).map(rows).collect();
     let path = directory.path().join("histories").join(format!("{}.csv", data.rows[0].id()));
     fs::write(path, format!("time_s,force,runup,displacement\n{history}")).unwrap();
-    data.rows[0] = data.rows[0].clone().with(&FORCE_MAX, 28.7);
+    data.rows[0].set(&FORCE_MAX, 28.7);
     let figure = figures(&data).unwrap().remove(0);
     let axis = &figure.drawing.charts[0].y;
     assert!(axis.share(28.7) < 1.0 && axis.share(40.0) == 1.0, "{axis:?}");

@@ -64,8 +64,7 @@ fn what_has_no_place_has_no_panels_and_is_told() {
     let directory = fixture::movable(&[0.2, 0.5], &[0.0, 10.0, 500.0], &[250.0]);
     let mut data = Loaded::read(directory.path()).unwrap();
     for row in data.rows.iter_mut().filter(|row| row.number(&WAVE_HEIGHT_RATIO) == Some(0.2)) {
-        let still = row.clone().with(&FIRST_FORCE_MAX, "").with(&FIRST_RUNUP_MAX, "");
-        *row = still.with(&DISPLACEMENT_MAX, 0);
+        row.set(&FIRST_FORCE_MAX, "").set(&FIRST_RUNUP_MAX, "").set(&DISPLACEMENT_MAX, 0);
     }
     let figure = figures(&data).remove(0);
     assert_eq!((figure.name.as_str(), figure.drawing.charts.len()), ("against-stiffness", 3));

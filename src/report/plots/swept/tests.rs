@@ -125,9 +125,7 @@ fn regular_waves_are_drawn_by_their_whole_runs() {
 fn caissons_stand_against_their_waves() {
     let directory = fixture::movable(&[0.3, 0.4, 0.5], &[500.0], &[50.0]);
     let (_directory, mut data) = fixture::read(directory);
-    for row in &mut data.rows {
-        *row = row.clone().with(&SPRING_STIFFNESS, "").with(&LOG10_K_STAR, "");
-    }
+    data.set_all(&SPRING_STIFFNESS, "").set_all(&LOG10_K_STAR, "");
     let figures = super::super::all(&data).unwrap();
     let own = figures.iter().find(|figure| figure.name == "caissons-against-wave").unwrap();
     for word in ["H/h", "F / (½ρgh²)", "R / h", "X / h", "m = 50 kg/m"] {
