@@ -12,7 +12,7 @@ use crate::disk::names::{ENVELOPES, HISTORIES, PROBE_COLUMNS, PROBES, READINGS, 
 use crate::quantities::{envelope, history};
 
 /// Values over time: of a history, or of a gauge.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Series {
     /// Name of its column.
     pub name: String,
@@ -147,13 +147,12 @@ pub(super) fn series_of(
     let time = header.iter().position(|name| name == history::TIME.name).unwrap_or(0);
     let series = |(column, name): (usize, &str)| Series {
         name: name.to_owned(),
-        unit: String::new(),
-        method: String::new(),
         points: rows
             .iter()
             .filter_map(|row| row[time].zip(row[column]))
             .filter(|(time, value)| time.is_finite() && value.is_finite())
             .collect(),
+        ..Series::default()
     };
     let columns = header.iter().enumerate().filter(|(column, _)| *column != time);
     Ok(History(columns.map(series).collect()))

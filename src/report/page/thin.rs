@@ -85,7 +85,7 @@ mod tests {
 
     fn series(name: &str, value: impl Fn(f64) -> f64) -> Series {
         let points = (0..900).map(|k| 0.005 * f64::from(k)).map(|t| (t, value(t))).collect();
-        Series { name: name.to_owned(), unit: String::new(), method: String::new(), points }
+        Series { name: name.to_owned(), points, ..Series::default() }
     }
 
     #[test]

@@ -4,8 +4,8 @@ use crate::report::fixture;
 const ALWAYS: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
 fn line(points: &[(f64, f64)]) -> Series {
-    let (name, method) = ("G1".to_owned(), String::new());
-    Series { name, unit: "m".to_owned(), method, points: points.to_vec() }
+    let (name, unit) = ("G1".to_owned(), "m".to_owned());
+    Series { name, unit, points: points.to_vec(), ..Series::default() }
 }
 
 /// Computed: a ramp of 1 m/s. Measured: the same, 0.1 m higher, with a peak between two times.

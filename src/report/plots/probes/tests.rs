@@ -1,6 +1,12 @@
 use super::*;
 use crate::report::fixture;
 
+/// A gauge that reads 1 and then 2.
+fn gauge(name: &str, unit: &str) -> Series {
+    let (name, unit) = (name.to_owned(), unit.to_owned());
+    Series { name, unit, points: vec![(0.0, 1.0), (1.0, 2.0)], ..Series::default() }
+}
+
 #[test]
 fn every_unit_has_a_panel() {
     let data = Loaded::read(fixture::dam_breaks(1).path()).unwrap();
@@ -41,27 +47,15 @@ fn of_many_cases_a_few_are_shown_and_the_caption_says_so() {
 
 #[test]
 fn many_gauges_are_split_so_that_colours_differ() {
-    let gauge = |index: u32| Series {
-        name: format!("P{index}"),
-        unit: "Pa".to_owned(),
-        method: String::new(),
-        points: vec![(0.0, 2e3), (1.0, 1e3)],
-    };
-    let gauges: Vec<_> = (0..9).map(gauge).collect();
+    let gauges: Vec<_> = (0..9).map(|index| gauge(&format!("P{index}"), "Pa")).collect();
     let strips = strips("a", &gauges);
     assert_eq!(strips.iter().map(|s| s.curves.len()).collect::<Vec<_>>(), [6, 3]);
-    assert_eq!(strips[1].curves[0].points[0], (0.0, 2.0));
+    assert_eq!(strips[1].curves[0].points[0], (0.0, 1e-3), "in kPa");
 }
 
 /// The story: five gauges with five units were five blue lines without names.
 #[test]
 fn panels_say_whose_they_are() {
-    let gauge = |name: &str, unit: &str| Series {
-        name: name.to_owned(),
-        unit: unit.to_owned(),
-        method: String::new(),
-        points: vec![(0.0, 1.0), (1.0, 2.0)],
-    };
     let gauges = [gauge("P1", "Pa"), gauge("V", "m2"), gauge("P2", "Pa"), gauge("Q", "m2/s")];
     let strips = strips("a", &gauges);
     assert!(strips.iter().all(|strip| strip.legend), "each panel names its own");
@@ -85,12 +79,6 @@ fn panels_say_whose_they_are() {
 /// one legend of all panels eight gauges had the colours of the crest's columns.
 #[test]
 fn a_panel_names_its_own_curves_in_its_own_colours() {
-    let gauge = |name: &str, unit: &str| Series {
-        name: name.to_owned(),
-        unit: unit.to_owned(),
-        method: String::new(),
-        points: vec![(0.0, 1.0), (1.0, 2.0)],
-    };
     let mut gauges: Vec<_> = (1..9).map(|k| gauge(&format!("G{k}"), "m")).collect();
     gauges.extend([gauge("qberm", "m2/s"), gauge("overtopping_discharge_m2_per_s", "m2/s")]);
     gauges.extend([gauge("crest_thickness_m", "m"), gauge("crest_speed_m_per_s", "m/s")]);
@@ -119,10 +107,8 @@ fn a_panel_names_its_own_curves_in_its_own_colours() {
 #[test]
 fn volumes_of_another_size_have_a_panel_of_their_own() {
     let volume = |name: &str, largest: f64| Series {
-        name: name.to_owned(),
-        unit: "m2".to_owned(),
-        method: String::new(),
         points: vec![(0.0, 0.0), (1.0, largest)],
+        ..gauge(name, "m2")
     };
     let all = [
         volume("tank", 4.5),
