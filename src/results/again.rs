@@ -172,8 +172,7 @@ mod tests {
 
     #[test]
     fn a_planted_difference_is_told() {
-        let root = tempfile::tempdir().unwrap();
-        let (path, study) = (root.path().join("run"), trial::study("0.2, 0.3"));
+        let (_root, path, study) = trial::room("0.2, 0.3");
         let directory = trial::finished(&path, &study);
         let case = &study.cases[1];
         let told = |result: &CaseResult| {

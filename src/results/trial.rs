@@ -1,6 +1,8 @@
 //! A small study with made-up results, for tests of its files.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+use tempfile::TempDir;
 
 use super::made_up::made_up;
 use super::{CaseRecord, Directory, OpenMode};
@@ -18,6 +20,13 @@ pub(super) fn study(ratios: &str) -> Study {
 /// The study of a file.
 pub(super) fn of_file(text: &str) -> Study {
     Study::new(&SweepFile::read(text, &[]).unwrap()).unwrap()
+}
+
+/// A place for the directory of a study of waves of these heights, which nobody has made yet.
+pub(super) fn room(ratios: &str) -> (TempDir, PathBuf, Study) {
+    let root = tempfile::tempdir().unwrap();
+    let path = root.path().join("run");
+    (root, path, study(ratios))
 }
 
 /// The record of a case that has ended well.

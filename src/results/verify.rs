@@ -128,8 +128,7 @@ mod tests {
 
     #[test]
     fn a_flipped_bit_is_told_wherever_it_is() {
-        let root = tempfile::tempdir().unwrap();
-        let (path, study) = (root.path().join("run"), trial::study("0.2, 0.3"));
+        let (_root, path, study) = trial::room("0.2, 0.3");
         drop(trial::finished(&path, &study));
         Manifest::new(&path, &study, &[], trial::SIMD).write(&path).unwrap();
         let told = || verify(&path, Some(&study)).unwrap().told;
@@ -176,8 +175,7 @@ mod tests {
     /// The story: while a sweep ran, and after it was killed, its tables were called damaged.
     #[test]
     fn tables_of_an_earlier_state_are_older_and_no_damage() {
-        let root = tempfile::tempdir().unwrap();
-        let (path, study) = (root.path().join("run"), trial::study("0.2, 0.3, 0.4"));
+        let (_root, path, study) = trial::room("0.2, 0.3, 0.4");
         drop(trial::finished(&path, &study));
         let mut manifest = Manifest::new(&path, &study, &[], trial::SIMD);
         manifest.sessions.push(SessionInfo::default());
@@ -209,8 +207,7 @@ mod tests {
 
     #[test]
     fn files_are_checked_without_the_study() {
-        let root = tempfile::tempdir().unwrap();
-        let (path, study) = (root.path().join("run"), trial::study("0.2, 0.3"));
+        let (_root, path, study) = trial::room("0.2, 0.3");
         drop(trial::finished(&path, &study));
         Manifest::new(&path, &study, &[], trial::SIMD).write(&path).unwrap();
         let found = verify(&path, None).unwrap();

@@ -1,7 +1,7 @@
 use std::fs;
 use std::time::Duration;
 
-use super::super::trial::{run, study};
+use super::super::trial::{room, run, study};
 use super::super::waiting;
 use super::*;
 use crate::disk::names::JOURNAL;
@@ -17,8 +17,7 @@ fn run_first(directory: &mut Directory, study: &Study) {
 
 #[test]
 fn a_sweep_goes_on_where_it_stopped() {
-    let root = tempfile::tempdir().unwrap();
-    let (path, study) = (root.path().join("run"), study("0.1, 0.2"));
+    let (_root, path, study) = room("0.1, 0.2");
     let (mut directory, opened) = open(&path, &study, OpenMode::Resume).unwrap();
     assert_eq!(opened, Opened::New);
     run_first(&mut directory, &study);
@@ -41,8 +40,7 @@ fn a_sweep_goes_on_where_it_stopped() {
 /// The journal still has its line.
 #[test]
 fn tables_leave_out_a_case_that_is_to_run_again() {
-    let root = tempfile::tempdir().unwrap();
-    let (path, study) = (root.path().join("run"), study("0.1, 0.2"));
+    let (_root, path, study) = room("0.1, 0.2");
     drop(super::super::trial::finished(&path, &study));
     fs::write(super::files::history_path(&path, study.cases[0].id), "damaged").unwrap();
     let (mut directory, opened) = open(&path, &study, OpenMode::Resume).unwrap();
@@ -56,8 +54,7 @@ fn tables_leave_out_a_case_that_is_to_run_again() {
 
 #[test]
 fn what_is_recorded_while_a_group_is_on_its_way_belongs_to_the_next() {
-    let root = tempfile::tempdir().unwrap();
-    let (path, study) = (root.path().join("run"), study("0.1, 0.2, 0.3"));
+    let (_root, path, study) = room("0.1, 0.2, 0.3");
     let (mut directory, _) = open(&path, &study, OpenMode::Resume).unwrap();
     for case in &study.cases {
         run(&mut directory, &study, case);
@@ -91,8 +88,7 @@ fn another_sweeps_directory_is_refused_untouched() {
 /// A process that looked then once took the other one's results for its own.
 #[test]
 fn who_starts_over_never_goes_on_with_what_another_began() {
-    let root = tempfile::tempdir().unwrap();
-    let (path, study) = (root.path().join("run"), study("0.1, 0.2"));
+    let (root, path, study) = room("0.1, 0.2");
     fs::create_dir(&path).unwrap();
     let lock = Lock::hold(&path).unwrap();
     std::thread::scope(|scope| {
@@ -136,8 +132,7 @@ fn a_strangers_directory_is_never_moved() {
 
 #[test]
 fn the_instruction_set_is_kept() {
-    let root = tempfile::tempdir().unwrap();
-    let (path, study) = (root.path().join("run"), study("0.1, 0.2"));
+    let (_root, path, study) = room("0.1, 0.2");
     let with = |requested, widest| {
         Directory::open(&path, &study, OpenMode::Resume, requested, widest)
             .map(|(directory, _)| directory.simd())
@@ -153,8 +148,7 @@ fn the_instruction_set_is_kept() {
 
 #[test]
 fn files_that_go_away_are_missed() {
-    let root = tempfile::tempdir().unwrap();
-    let (path, study) = (root.path().join("run"), study("0.1, 0.2"));
+    let (_root, path, study) = room("0.1, 0.2");
     let (mut directory, _) = open(&path, &study, OpenMode::Resume).unwrap();
     run_first(&mut directory, &study);
     let told = |directory: &Directory| directory.left().demand(&path).map_err(|e| e.to_string());

@@ -1,8 +1,12 @@
+use tempfile::TempDir;
+
 use super::super::trial;
 use super::*;
 
-fn filled(directory: &Path) -> (Header, Vec<CaseRecord>) {
-    let study = trial::study("0.1, 0.2, 0.3");
+/// A journal of three cases in a directory, its header and its records.
+fn filled() -> (TempDir, PathBuf, Header, Vec<CaseRecord>) {
+    let root = tempfile::tempdir().unwrap();
+    let (directory, study) = (root.path(), trial::study("0.1, 0.2, 0.3"));
     let header = Header::new("a", &study.identity, 3, trial::SIMD);
     let mut journal = Journal::create(directory, &header).unwrap();
     let mut records = Vec::new();
@@ -13,7 +17,8 @@ fn filled(directory: &Path) -> (Header, Vec<CaseRecord>) {
     }
     assert!(journal.waits(Duration::ZERO));
     journal.sync().unwrap();
-    (header, records)
+    let path = directory.join(JOURNAL);
+    (root, path, header, records)
 }
 
 fn resume(directory: &Path, header: &Header) -> (Journal, Vec<CaseRecord>) {
@@ -23,17 +28,14 @@ fn resume(directory: &Path, header: &Header) -> (Journal, Vec<CaseRecord>) {
 
 #[test]
 fn a_journal_round_trips_every_bit() {
-    let directory = tempfile::tempdir().unwrap();
-    let (header, records) = filled(directory.path());
+    let (directory, _, header, records) = filled();
     let content = read_journal(directory.path()).unwrap();
     assert_eq!((content.header, content.records), (Some(header), records));
 }
 
 #[test]
 fn a_torn_tail_is_cut_wherever_it_tore() {
-    let directory = tempfile::tempdir().unwrap();
-    let (header, records) = filled(directory.path());
-    let path = directory.path().join(JOURNAL);
+    let (directory, path, header, records) = filled();
     let bytes = std::fs::read(&path).unwrap();
     let ends: Vec<_> = (1..=bytes.len()).filter(|&end| bytes[end - 1] == b'\n').collect();
     let near_an_end = |length: &usize| ends.iter().any(|end| end.abs_diff(*length) <= 2);
@@ -50,9 +52,7 @@ fn a_torn_tail_is_cut_wherever_it_tore() {
 
 #[test]
 fn a_flipped_bit_costs_its_record_alone() {
-    let directory = tempfile::tempdir().unwrap();
-    let (header, records) = filled(directory.path());
-    let path = directory.path().join(JOURNAL);
+    let (directory, path, header, records) = filled();
     let bytes = std::fs::read(&path).unwrap();
     let breaks: Vec<_> = (0..bytes.len()).filter(|&at| bytes[at] == b'\n').collect();
     let near_a_break = |at: &usize| breaks.iter().any(|other| other.abs_diff(*at) <= 1);
@@ -75,9 +75,7 @@ fn a_flipped_bit_costs_its_record_alone() {
 
 #[test]
 fn a_whole_line_of_another_version_is_never_cut_off() {
-    let directory = tempfile::tempdir().unwrap();
-    filled(directory.path());
-    let path = directory.path().join(JOURNAL);
+    let (directory, path, ..) = filled();
     let mut bytes = std::fs::read(&path).unwrap();
     let entry = br#"{"tide":{"level_m":0.2}}"#;
     let sum = super::super::checksum::checksum(entry);
@@ -93,11 +91,9 @@ fn a_whole_line_of_another_version_is_never_cut_off() {
 
 #[test]
 fn a_journal_that_is_moved_is_missed() {
-    let directory = tempfile::tempdir().unwrap();
-    let (header, _) = filled(directory.path());
+    let (directory, path, header, _) = filled();
     let (journal, _) = resume(directory.path(), &header);
     journal.demand_in_place().unwrap();
-    let path = directory.path().join(JOURNAL);
     std::fs::rename(&path, directory.path().join("elsewhere")).unwrap();
     assert!(journal.demand_in_place().is_err());
     std::fs::copy(directory.path().join("elsewhere"), &path).unwrap();
