@@ -3,7 +3,6 @@
 
 use serde::Deserialize;
 
-use super::record::{CaseRecord, HeldLine};
 use super::seal::Seals;
 use super::wanted::Wanted;
 use crate::simulation::FailureKind;
@@ -55,20 +54,9 @@ impl Line for EndedLine {
     }
 }
 
-impl Line for HeldLine {
-    type Held = CaseRecord;
-
-    fn ended(&self) -> Ended {
-        Ended { id: self.id(), is_ok: self.is_ok() }
-    }
-
-    fn split(self, index: usize) -> (CaseRecord, Seals) {
-        HeldLine::split(self, index)
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::record::HeldLine;
     use super::super::trial;
     use super::*;
 

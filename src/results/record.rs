@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use super::ended::{Ended, Line};
 use super::filing::Filed;
 use super::seal::{Seal, Seals};
 use super::wanted::Wanted;
@@ -72,19 +73,14 @@ impl Wanted for Fared {
     const UNWANTED: Option<[&'static str; 2]> = Some([",\"outcome\":", ",\"wall_time_s\":"]);
 }
 
-impl HeldLine {
-    /// The id of the line.
-    pub(super) fn id(&self) -> CaseId {
-        self.id
+impl Line for HeldLine {
+    type Held = CaseRecord;
+
+    fn ended(&self) -> Ended {
+        Ended { id: self.id, is_ok: self.failure.is_none() }
     }
 
-    /// Whether the case is ok.
-    pub(super) fn is_ok(&self) -> bool {
-        self.failure.is_none()
-    }
-
-    /// The record with its index in the study, and the seals of the case's files.
-    pub(super) fn split(self, index: usize) -> (CaseRecord, Seals) {
+    fn split(self, index: usize) -> (CaseRecord, Seals) {
         let record = CaseRecord {
             failure: self.failure,
             reason: self.reason,
