@@ -40,6 +40,24 @@ pub(super) struct Job {
     pub(super) reports: bool,
 }
 
+impl Job {
+    /// A study as a new call runs it, or as one that goes on with what is there: all that is
+    /// missing, on trunks, with all threads at work, and without a report.
+    pub(super) fn of(study: Study, out: PathBuf, fresh: bool) -> Job {
+        Job {
+            study,
+            out,
+            mode: if fresh { OpenMode::Fresh } else { OpenMode::Resume },
+            retry: Retry::Nothing,
+            branching: true,
+            shares_threads: true,
+            simd: None,
+            overrides: Vec::new(),
+            reports: false,
+        }
+    }
+}
+
 /// The result of a job.
 pub(super) struct Done {
     pub(super) directory: Directory,

@@ -6,15 +6,15 @@ use clap::Args;
 
 use super::execute::on_threads;
 use super::failure::BadInput;
-use super::input::{MATRIX, SimdChoice, default_out, read};
-use super::job::{Job, Retry};
+use super::input::{MATRIX, default_out, read};
+use super::job::Job;
 use super::options;
 use super::options::EVERY_S;
 use super::output::Output;
 use crate::accuracy::{Matrix, Trial};
 use crate::execute::Ending;
 use crate::keys::named;
-use crate::results::{CaseRecord, OpenMode};
+use crate::results::CaseRecord;
 
 /// What both commands take.
 #[derive(Debug, Args)]
@@ -75,16 +75,11 @@ pub(super) fn run(
     if study.cases.is_empty() {
         return Err(BadInput(format!("{name}: {}", nothing_runs(&pairs, args.quick))).into());
     }
+    let out = args.out.clone().unwrap_or_else(|| default_out(&study));
     let job = Job {
-        out: args.out.clone().unwrap_or_else(|| default_out(&study)),
-        study,
-        mode: if args.fresh { OpenMode::Fresh } else { OpenMode::Resume },
-        retry: Retry::Nothing,
         branching,
         shares_threads: false, // What a method costs is told.
-        simd: SimdChoice::Auto.path(),
-        overrides: Vec::new(),
-        reports: false,
+        ..Job::of(study, out, args.fresh)
     };
     let done = on_threads(&job, args.threads, None, EVERY_S, output)?;
     if done.ending == Ending::Interrupted {

@@ -11,7 +11,7 @@ use self::runs::{needed, study};
 use super::execute::on_threads;
 use super::failure::BadInput;
 use super::input::Setting;
-use super::job::{Job, Retry};
+use super::job::Job;
 use super::made_figure;
 use super::notices::hold_making;
 use super::options::EVERY_S;
@@ -23,7 +23,7 @@ use crate::keys::named;
 use crate::math::words::counted;
 use crate::papers::{Recipe, Run, paper, recipes};
 use crate::report::Reproduced;
-use crate::results::{Derived, MADE_BY_SWEEPS, OpenMode};
+use crate::results::{Derived, MADE_BY_SWEEPS};
 use crate::scene::ConfigError;
 use crate::study::Study;
 
@@ -146,17 +146,8 @@ fn recipe(args: &ReproduceArgs) -> Result<&'static Recipe, BadInput> {
 fn job(args: &ReproduceArgs, run: &Run, study: Study, out: PathBuf, shares_threads: bool) -> Job {
     let own = [format!("name={}", run.name)].into_iter().chain(run.set.iter().cloned());
     let theirs = args.settings.iter().map(|setting| setting.text.clone());
-    Job {
-        study,
-        out,
-        mode: if args.fresh { OpenMode::Fresh } else { OpenMode::Resume },
-        retry: Retry::Nothing,
-        branching: true,
-        shares_threads,
-        simd: None,
-        overrides: own.chain(theirs).collect(),
-        reports: false,
-    }
+    let overrides = own.chain(theirs).collect();
+    Job { shares_threads, overrides, ..Job::of(study, out, args.fresh) }
 }
 
 /// `<stem>.svg`, `<stem>.csv` and `<stem>.md`.

@@ -20,7 +20,7 @@ use crate::disk::names::{FILMS, VTK};
 use crate::execute::{Ending, Interrupt};
 use crate::film::{Colour, Filming, PageFilm, VtkFilm};
 use crate::keys::named;
-use crate::results::{CaseRecord, Derived, OpenMode, has_checkpoints};
+use crate::results::{CaseRecord, Derived, has_checkpoints};
 use crate::scene::CaseConfig;
 use crate::simulation::Resources;
 use crate::study::Study;
@@ -78,16 +78,13 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
     let expected = duration(cost::seconds_of_a_core(&study));
     let inputs = words::inputs(&case.config);
     output.note(format_args!("case {}: {inputs}; about {expected} of one core", case.id));
+    let out = args.out.clone().unwrap_or_else(|| default_out(&study));
     let job = Job {
-        out: args.out.clone().unwrap_or_else(|| default_out(&study)),
-        study,
-        mode: if args.fresh { OpenMode::Fresh } else { OpenMode::Resume },
         retry: Retry::Cases,
         branching: false,
-        shares_threads: true,
         simd: args.simd.path(),
         overrides: settings.iter().map(|setting| setting.text.clone()).collect(),
-        reports: false,
+        ..Job::of(study, out, args.fresh)
     };
     let folder = job.out.join(VTK);
     let vtk = args.vtk.map(|interval_s| Filming::Vtk(VtkFilm { interval_s, folder }));

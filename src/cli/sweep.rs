@@ -158,15 +158,12 @@ fn lead(
     warnings::tell(&args.file, &first, output);
     warnings::tell_threads(args.threads, output);
     let job = Job {
-        out: out.clone(),
-        study: first,
-        mode: if args.fresh { OpenMode::Fresh } else { OpenMode::Resume },
         retry: if args.retry_failed { Retry::All } else { Retry::Nothing },
         branching: !args.no_branch,
-        shares_threads: true,
         simd: args.simd.path(),
         overrides,
         reports: true,
+        ..Job::of(first, out.clone(), args.fresh)
     };
     args.ending.begin(&job.out)?;
     let (job, mut done) = in_rounds(&args.file, &goal, job, crew, interrupt, output)?;
