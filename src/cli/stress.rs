@@ -12,6 +12,7 @@ use crate::disk;
 use crate::keys::named;
 use crate::math::comma::csv;
 use crate::math::lists::different;
+use crate::report::tables;
 
 /// Run many methods on hard cases, and tell which method survives which case. What counts as surviving is
 /// stated beforehand.
@@ -86,23 +87,19 @@ fn markdown(matrix: &Matrix, judged: &[Judged]) -> String {
         "# Hard cases\n\nWritten by `seawall stress` (physics version {}). A number is the largest \
          share of a bound that the run reached,\ncriteria and health alike: below 1 it passed, \
          above 1 it ran to its end and missed the criterion. A word is the\nkind of failure. `-`: \
-         not run with this method, or not in this build.\n\n| case | {} |\n|---|{}\n",
-        crate::study::PHYSICS_VERSION,
-        methods.join(" | "),
-        "---|".repeat(methods.len())
+         not run with this method, or not in this build.\n\n",
+        crate::study::PHYSICS_VERSION
     );
-    for case in &matrix.cases {
-        let cells: Vec<_> = methods
-            .iter()
-            .map(|&method| {
-                let row = judged.iter().find(|row| row.case == case.name && row.method == method);
-                row.map_or_else(|| "-".to_owned(), cell)
-            })
-            .collect();
-        if cells.iter().any(|cell| cell != "-") {
-            text.push_str(&format!("| {} | {} |\n", case.name, cells.join(" | ")));
-        }
-    }
+    let line = |name: &String| {
+        let own =
+            |method: &&str| judged.iter().find(|row| row.case == *name && row.method == *method);
+        let cells = methods.iter().map(|method| own(method).map_or("-".to_owned(), cell));
+        [name.clone()].into_iter().chain(cells).collect::<Vec<_>>()
+    };
+    let lines = matrix.cases.iter().map(|case| line(&case.name));
+    let lines = lines.filter(|cells| cells[1..].iter().any(|cell| cell != "-")).collect();
+    let header = [&["case"], &methods[..]].concat();
+    text.push_str(&tables::Table::new("", "", &header, lines).markdown());
     text.push_str("\n## Cases and criteria\n\n");
     for case in &matrix.cases {
         let ranges =
