@@ -2,20 +2,14 @@
 
 use super::ticks::{Tick, linear, logarithmic};
 use crate::math::lists::ends;
-
-/// How values are spread along an axis.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Spread {
-    Even,
-    Logarithmic,
-}
+use crate::math::scale::Scale;
 
 /// The range of an axis and its ticks.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
     low: f64,
     high: f64,
-    spread: Spread,
+    scale: Scale,
     /// Places with a label.
     pub ticks: Vec<Tick>,
     /// Places with only a small stroke.
@@ -43,7 +37,7 @@ impl Axis {
         let margin = if span < least { lone } else { air * span };
         let (low, high) = (low - margin, high + margin);
         let ticks = linear(low, high, ticks);
-        Some(Axis { low, high, spread: Spread::Even, ticks, minor: Vec::new() })
+        Some(Axis { low, high, scale: Scale::Linear, ticks, minor: Vec::new() })
     }
 
     /// A logarithmic axis for the given values. Values that are not above 0 have no place on it.
@@ -52,7 +46,7 @@ impl Axis {
         let margin = libm::pow(high / low, 0.05).max(1.26);
         let (low, high) = (low / margin, high * margin);
         let (ticks, minor) = logarithmic(low, high);
-        Some(Axis { low, high, spread: Spread::Logarithmic, ticks, minor })
+        Some(Axis { low, high, scale: Scale::Log, ticks, minor })
     }
 
     /// A place for each word, one after the other: 0, 1, 2 and so on.
@@ -60,20 +54,20 @@ impl Axis {
         let high = words.len() as f64 - 0.5;
         let tick = |(index, label)| Tick { at: index as f64, label };
         let ticks = words.into_iter().enumerate().map(tick).collect();
-        Axis { low: -0.5, high, spread: Spread::Even, ticks, minor: Vec::new() }
+        Axis { low: -0.5, high, scale: Scale::Linear, ticks, minor: Vec::new() }
     }
 
     /// Whether a value has a place on the axis.
     pub fn holds(&self, value: f64) -> bool {
-        value.is_finite() && (self.spread == Spread::Even || value > 0.0)
+        value.is_finite() && (self.scale == Scale::Linear || value > 0.0)
     }
 
     /// How far along the axis a value lies: 0 at its start, 1 at its end, and never beyond.
     pub fn share(&self, value: f64) -> f64 {
-        let along = match self.spread {
-            Spread::Even => (value - self.low) / (self.high - self.low),
-            Spread::Logarithmic if value <= 0.0 => 0.0,
-            Spread::Logarithmic => libm::log(value / self.low) / libm::log(self.high / self.low),
+        let along = match self.scale {
+            Scale::Linear => (value - self.low) / (self.high - self.low),
+            Scale::Log if value <= 0.0 => 0.0,
+            Scale::Log => libm::log(value / self.low) / libm::log(self.high / self.low),
         };
         along.clamp(0.0, 1.0)
     }
