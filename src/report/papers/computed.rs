@@ -10,7 +10,7 @@ use crate::report::row::Row;
 use crate::report::series::at;
 
 /// Step times are compared with those of this interpolator at walls.
-const REFERENCE: &str = "improved-shepard";
+pub const REFERENCE: &str = "improved-shepard";
 
 /// The summary's column of a printed quantity, if there is one.
 pub fn column(printed: &Printed) -> Option<&'static Column> {

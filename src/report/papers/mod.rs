@@ -25,7 +25,7 @@ use crate::quantities::summary::FORCE_COUPLING;
 
 pub use cases::Cases;
 use cases::{of_scene, printed_for};
-pub(super) use computed::{column, on_their_clock, step_time};
+pub(super) use computed::{REFERENCE, column, on_their_clock, step_time};
 pub use sentences::{answer, method, sentences};
 pub use table::{beside, others, tidy};
 pub use timed::times_left_out;

@@ -5,14 +5,11 @@ use super::{Drawn, Material, drawn};
 use crate::math::lists::different;
 use crate::quantities::summary::{BOUNDARY, PARTICLES};
 use crate::report::error::ReportError;
-use crate::report::papers::step_time;
+use crate::report::papers::{REFERENCE, step_time};
 use crate::report::plots::{
     Axis, Chart, Curve, Entry, Layout, Look, Point, places, points, printed_entry, printed_point,
 };
 use crate::report::row::Row;
-
-/// Times are compared with those of this interpolator.
-const REFERENCE: &str = "improved-shepard";
 
 pub fn drawing(material: &Material) -> Result<Option<Drawn>, ReportError> {
     let rows: Vec<&Row> = material.cases().into_iter().map(|(_, row)| row).collect();
