@@ -3,8 +3,9 @@
 use std::fs;
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Stdio;
 
+use crate::common::job::signal;
 use crate::common::{Desk, TINY, ended, expect_code, results, run, seawall, write_file};
 
 /// Two waves on one wall, coarse.
@@ -187,8 +188,7 @@ fn an_interrupted_film_is_made_by_the_same_command() {
     let told = BufReader::new(child.stderr.take().unwrap()).lines();
     let mut told = told.map(Result::unwrap).skip_while(|line| line != "filming 1 case");
     assert!(told.next().is_some());
-    let pid = child.id().to_string();
-    assert!(Command::new("kill").args(["-INT", &pid]).status().unwrap().success());
+    signal(child.id(), "INT");
     let rest: Vec<_> = told.collect();
     assert_eq!(child.wait().unwrap().code(), Some(3), "{rest:?}");
     assert!(films(&desk.out).is_empty() && !desk.out.join("films/reasons.csv").exists());

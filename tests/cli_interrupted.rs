@@ -1,9 +1,10 @@
 //! What programs are told where a command was interrupted.
 
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::Stdio;
 use std::time::Duration;
 
+use crate::common::job::{signal, wait_until};
 use crate::common::{Desk, TINY, expect_code, seawall};
 use serde_json::Value;
 
@@ -16,12 +17,9 @@ fn stopped(arguments: &[&str], once: &Path) -> Value {
     let mut command = seawall();
     command.args(arguments).args(["--format", "json", "--threads", "1"]);
     let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-    while !once.exists() {
-        std::thread::sleep(Duration::from_millis(5));
-    }
+    wait_until("a file", || once.exists());
     std::thread::sleep(Duration::from_millis(100));
-    let pid = child.id().to_string();
-    assert!(Command::new("kill").args(["-TERM", &pid]).status().unwrap().success());
+    signal(child.id(), "TERM");
     let output = child.wait_with_output().unwrap();
     expect_code(&output, 3);
     serde_json::from_slice(&output.stdout).unwrap()

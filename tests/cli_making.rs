@@ -5,8 +5,8 @@ use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-use crate::common::job::signal;
-use crate::common::{Desk, TINY, TINY_CASES, column, ended, journal_lines, run, seawall, sweep};
+use crate::common::job::{signal, wait_for_lines, wait_until};
+use crate::common::{Desk, TINY, TINY_CASES, column, ended, run, seawall, sweep};
 
 fn started(arguments: &[&str]) -> Child {
     seawall().args(arguments).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap()
@@ -117,10 +117,10 @@ fn a_sweep_that_ends_between_its_last_case_and_its_page_is_not_finished() {
     for name in ["KILL", "TERM"] {
         let desk = Desk::new(TINY);
         let child = started(&["sweep", &desk.file, "--out", &desk.dir, "--film", "none"]);
-        wait_until(|| desk.out.join("derived.json").exists());
+        wait_until("derived.json", || desk.out.join("derived.json").exists());
         let making = File::open(desk.out.join("derived.lock")).unwrap();
         making.lock().unwrap();
-        wait_until(|| journal_lines(&desk.out) == 1 + TINY_CASES);
+        wait_for_lines(&desk.out, 1 + TINY_CASES);
         let told = ended(0, &["status", &desk.dir]).out;
         assert!(told.contains("running: all cases done, makes films and page"), "{told}");
         let start = Instant::now();
@@ -145,14 +145,6 @@ fn a_sweep_that_ends_between_its_last_case_and_its_page_is_not_finished() {
         sweep(0, &desk.file, &desk.out, &[]);
         ended(0, &["status", &desk.dir, "--exit-code"]);
         ended(0, &["verify", &desk.dir]);
-    }
-}
-
-fn wait_until(there: impl Fn() -> bool) {
-    let start = Instant::now();
-    while !there() {
-        assert!(start.elapsed() < Duration::from_secs(120), "it does not come so far");
-        std::thread::sleep(Duration::from_millis(2));
     }
 }
 

@@ -4,8 +4,10 @@ mod common;
 
 use std::collections::BTreeMap;
 use std::path::Path;
-use std::time::{Duration, Instant};
+use std::process::Child;
+use std::time::Duration;
 
+use common::job::{signal, wait_until};
 use common::{
     Desk, TINY, TINY_CASES, assert_same, column, ended, expect_code, journal_lines, seawall, sweep,
 };
@@ -24,23 +26,26 @@ fn threads_and_branches_do_not_change_a_bit() {
     }
 }
 
+/// Starts a sweep that runs one case at a time.
+fn started(out: &Path, file: &str) -> Child {
+    let mut command = seawall();
+    command.args(["sweep", "--quiet", "--threads", "1", "--film", "none", "--out"]);
+    command.arg(out).arg(file).spawn().unwrap()
+}
+
+/// Waits until its journal has one more line, and not only the header, or it has ended.
+fn wait_for_next(out: &Path, before: usize, child: &mut Child) {
+    wait_until("another case", || {
+        journal_lines(out) > before.max(1) || child.try_wait().unwrap().is_some()
+    });
+}
+
 /// Kills a sweep three times, each time after another case, resumes it and compares.
 fn kill_and_resume(file: &str, reference: &Path, out: &Path) {
     for _ in 0..3 {
         let before = journal_lines(out);
-        let mut child = seawall()
-            .args(["sweep", "--quiet", "--threads", "1", "--film", "none", "--out"])
-            .arg(out)
-            .arg(file)
-            .spawn()
-            .unwrap();
-        let start = Instant::now();
-        while journal_lines(out) < before.max(1) + 1
-            && child.try_wait().unwrap().is_none()
-            && start.elapsed() < Duration::from_secs(120)
-        {
-            std::thread::sleep(Duration::from_millis(2));
-        }
+        let mut child = started(out, file);
+        wait_for_next(out, before, &mut child);
         child.kill().unwrap();
         child.wait().unwrap();
     }
@@ -80,23 +85,15 @@ fn a_signal_ends_a_sweep_with_a_whole_journal() {
     let desk = Desk::new(TINY);
     let (reference, out) = (desk.path().join("reference"), desk.path().join("stopped"));
     sweep(0, &desk.file, &reference, &[]);
-    for signal in ["-INT", "-TERM", "-USR1"] {
+    for name in ["INT", "TERM", "USR1"] {
         let before = journal_lines(&out);
-        let mut child = seawall()
-            .args(["sweep", "--quiet", "--threads", "1", "--film", "none", "--out"])
-            .arg(&out)
-            .arg(&desk.file)
-            .spawn()
-            .unwrap();
-        while journal_lines(&out) < before.max(1) + 1 && child.try_wait().unwrap().is_none() {
-            std::thread::sleep(Duration::from_millis(2));
-        }
-        let id = child.id().to_string();
-        let sent = std::process::Command::new("kill").args([signal, &id]).status().unwrap();
+        let mut child = started(&out, &desk.file);
+        wait_for_next(&out, before, &mut child);
+        signal(child.id(), name);
         let code = child.wait().unwrap().code();
         // The sweep may have come to its end just before the signal.
         let finished = journal_lines(&out) == 1 + TINY_CASES;
-        assert!(code == Some(3) || (finished && code == Some(0)), "{signal}: {code:?} {sent}");
+        assert!(code == Some(3) || (finished && code == Some(0)), "{name}: {code:?}");
     }
     sweep(0, &desk.file, &out, &[]);
     assert_same(&reference, &out);
@@ -107,20 +104,13 @@ fn signals_close_to_one_another_are_one() {
     let text = "name = \"long\"\n[numerics]\nparticle_spacing_m = 0.005\n\
                 [grid]\nwave_height_ratio = [0.3]";
     let Desk { file, out, .. } = &Desk::new(text);
-    let mut child = seawall()
-        .args(["sweep", "--quiet", "--threads", "1", "--film", "none", "--out"])
-        .args([out.as_os_str(), file.as_ref()])
-        .spawn()
-        .unwrap();
-    while !out.join("journal.jsonl").exists() {
-        std::thread::sleep(Duration::from_millis(10));
-    }
+    let mut child = started(out, file);
+    wait_until("the journal", || out.join("journal.jsonl").exists());
     // Less than a second of work is not worth a checkpoint.
     std::thread::sleep(Duration::from_millis(2500));
     // A terminal tells a program and what has started it, which passes it on.
     for _ in 0..2 {
-        let id = child.id().to_string();
-        assert!(std::process::Command::new("kill").args(["-INT", &id]).status().unwrap().success());
+        signal(child.id(), "INT");
     }
     assert_eq!(child.wait().unwrap().code(), Some(3));
     let kept = std::fs::read_dir(out.join("checkpoints")).map_or(0, Iterator::count);

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-use common::job::{LONG, is_mpich, mpirun, mpirun_is_there, signal};
+use common::job::{LONG, is_mpich, mpirun, mpirun_is_there, signal, wait_for_lines, wait_until};
 use common::{Desk, TINY, assert_same, ended, expect_code, journal_lines, run, seawall};
 
 /// The job script of a study.
@@ -256,11 +256,7 @@ fn a_job_that_is_told_to_stop_is_queued_again_until_all_is_done() {
     let (out, whole) = (desk.path().join("out"), desk.path().join("whole"));
     let script = script(desk.path(), &desk.file, &out, "env");
     let child = job(desk.path(), &script).spawn().unwrap();
-    let start = Instant::now();
-    while journal_lines(&out) < 1 {
-        assert!(start.elapsed() < Duration::from_secs(120), "the sweep does not begin");
-        std::thread::sleep(Duration::from_millis(2));
-    }
+    wait_for_lines(&out, 1);
     signal(child.id(), "USR1");
     let output = child.wait_with_output().unwrap();
     assert_eq!(output.status.signal(), Some(9), "{}", String::from_utf8_lossy(&output.stderr));
@@ -301,11 +297,8 @@ fn a_watched_sweep_tells_its_rate_until_it_ends() {
         "--quiet",
     ]);
     let mut sweep = sweep.spawn().unwrap();
-    let start = Instant::now();
-    while journal_lines(&desk.out) < 1 || !desk.out.join("manifest.json").is_file() {
-        assert!(start.elapsed() < Duration::from_secs(120), "the sweep does not begin");
-        std::thread::sleep(Duration::from_millis(2));
-    }
+    wait_for_lines(&desk.out, 1);
+    wait_until("manifest.json", || desk.out.join("manifest.json").is_file());
     let watch = run(&["status", &desk.dir, "--watch", "0.1", "--exit-code"]);
     assert!(sweep.wait().unwrap().success());
     expect_code(&watch, 0);

@@ -5,8 +5,8 @@ mod common;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
-use std::time::{Duration, Instant};
 
+use common::job::{signal, wait_until};
 use common::{Desk, assert_same, ended, expect_code, run, seawall, write_file};
 use sha2::{Digest, Sha256};
 
@@ -80,15 +80,6 @@ fn start(words: &[&str]) -> Child {
     command.args(words).args(OFTEN).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap()
 }
 
-/// Waits for something to be so, for a minute at most.
-fn wait_until(what: &str, so: impl Fn() -> bool) {
-    let start = Instant::now();
-    while !so() {
-        assert!(start.elapsed() < Duration::from_secs(60), "no {what} within a minute");
-        std::thread::sleep(Duration::from_millis(1));
-    }
-}
-
 /// Kills a command once a checkpoint of this ending is there, `times` times over.
 fn kill_again_and_again(words: &[&str], out: &Path, ending: &str, times: usize) {
     for _ in 0..times {
@@ -151,8 +142,7 @@ fn a_run_that_is_told_to_stop_keeps_its_state() {
     let one = words("run", &desk.file, &out);
     let child = start(&one);
     wait_until("checkpoint", || !checkpoints(&out, "case").is_empty());
-    let pid = child.id().to_string();
-    assert!(Command::new("kill").args(["-TERM", &pid]).status().unwrap().success());
+    signal(child.id(), "TERM");
     let output = child.wait_with_output().unwrap();
     expect_code(&output, 3);
 
@@ -161,8 +151,7 @@ fn a_run_that_is_told_to_stop_keeps_its_state() {
     filmed.args(&one).args(["--vtk", "0.01"]).stdout(Stdio::null()).stderr(Stdio::piped());
     let child = filmed.spawn().unwrap();
     wait_until("film", || out.join("vtk").exists());
-    let pid = child.id().to_string();
-    assert!(Command::new("kill").args(["-TERM", &pid]).status().unwrap().success());
+    signal(child.id(), "TERM");
     let output = child.wait_with_output().unwrap();
     expect_code(&output, 3);
     let told = String::from_utf8_lossy(&output.stderr);

@@ -12,7 +12,9 @@ use std::process::{Command, Stdio};
 use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant, SystemTime};
 
-use common::job::{LONG, is_mpich, kill_all, mpirun, mpirun_is_there, rank, signal};
+use common::job::{
+    LONG, is_mpich, kill_all, mpirun, mpirun_is_there, rank, signal, wait_for_lines, wait_until,
+};
 use common::{TINY, TINY_CASES, assert_same, expect_code, journal_lines, run, write_file};
 
 fn reference(root: &Path, file: &str) -> std::path::PathBuf {
@@ -82,22 +84,18 @@ fn an_interrupted_job_goes_on_with_another_number_of_ranks() {
     let root = tempfile::tempdir().unwrap();
     let file = write_file(root.path(), TINY);
     let reference = reference(root.path(), &file);
-    for signal in ["-USR1", "-KILL"] {
-        let out = root.path().join(signal);
+    for name in ["USR1", "KILL"] {
+        let out = root.path().join(name);
         let mut child = mpirun(2)
             .args(["sweep", "--quiet", "--film", "none", "--out"])
             .arg(&out)
             .arg(&file)
             .spawn()
             .unwrap();
-        let start = Instant::now();
-        while journal_lines(&out) < 2 && start.elapsed() < Duration::from_secs(120) {
-            std::thread::sleep(Duration::from_millis(2));
-        }
-        let id = child.id().to_string();
-        Command::new("kill").args([signal, &id]).status().unwrap();
+        wait_for_lines(&out, 2);
+        signal(child.id(), name);
         let code = child.wait().unwrap().code();
-        if signal == "-USR1" && journal_lines(&out) < 1 + TINY_CASES {
+        if name == "USR1" && journal_lines(&out) < 1 + TINY_CASES {
             // MPICH's launcher loses the code; the journal tells it.
             let told = run(&["status", out.to_str().unwrap(), "--exit-code"]).status.code();
             assert_eq!(if is_mpich() { told } else { code }, Some(3));
@@ -142,13 +140,11 @@ fn ranks_take_up_the_cases_of_ranks_that_were_killed() {
         let mut command = mpirun(ranks);
         let child = command.args(often).arg(&out).arg(&file);
         let mut child = child.stderr(Stdio::piped()).spawn().unwrap();
-        let start = Instant::now();
         let is_new = |(path, time): &(PathBuf, SystemTime)| before.get(path) != Some(time);
-        while checkpoints(&out).into_iter().filter(is_new).count() < wanted {
+        wait_until("checkpoints", || {
             assert!(child.try_wait().unwrap().is_none(), "it ended before it was killed");
-            assert!(start.elapsed() < Duration::from_secs(120), "no checkpoints");
-            std::thread::sleep(Duration::from_millis(2));
-        }
+            checkpoints(&out).into_iter().filter(is_new).count() >= wanted
+        });
         kill_all(&out);
         let told = child.wait_with_output().unwrap().stderr;
         expect_taken_up(&told, before.len());
@@ -244,11 +240,7 @@ fn a_rank_that_dies_ends_the_job_and_nothing_is_lost() {
         let mut command = mpirun(3);
         let mut child =
             command.args(["sweep", "--quiet", "--out"]).arg(&out).arg(&file).spawn().unwrap();
-        let start = Instant::now();
-        while journal_lines(&out) < 1 {
-            assert!(start.elapsed() < Duration::from_secs(120), "the sweep does not begin");
-            std::thread::sleep(Duration::from_millis(2));
-        }
+        wait_for_lines(&out, 1);
         signal(rank(&out, number), "KILL");
         let killed = Instant::now();
         assert!(!child.wait().unwrap().success());

@@ -6,9 +6,9 @@ use std::fs;
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-use common::job::{LONG, signal};
+use common::job::{LONG, signal, wait_for_lines};
 use common::{
     Desk, SOFT, TINY, TINY_CASES, assert_same, ended, expect_code, journal_lines, results, run,
     seawall, sweep, with_gauge, write_file,
@@ -31,15 +31,6 @@ fn start(file: &str, out: &Path, more: &[&str]) -> Child {
     command.arg("sweep").arg(file).arg("--out").arg(out);
     command.args(["--threads", "2", "--film", "none"]).args(more);
     command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap()
-}
-
-/// Waits until so many lines are in the journal.
-fn wait_for(out: &Path, lines: usize) {
-    let start = Instant::now();
-    while journal_lines(out) < lines {
-        assert!(start.elapsed() < Duration::from_secs(120), "the sweep does not get on");
-        std::thread::sleep(Duration::from_millis(2));
-    }
 }
 
 fn told(output: &Output) -> String {
@@ -133,7 +124,7 @@ fn kills_in_quick_succession_make_no_case_fail() {
     sweep(0, &desk.file, &whole, &[]);
     for lines in [0, 1, 1, 2, 2, 3, 4] {
         let mut child = start(&desk.file, &out, &[]);
-        wait_for(&out, lines);
+        wait_for_lines(&out, lines);
         child.kill().unwrap();
         child.wait().unwrap();
     }
@@ -176,7 +167,7 @@ fn a_directory_that_goes_away_is_never_called_well() {
     for (number, way) in ways.iter().enumerate() {
         let out = desk.path().join(format!("out{number}"));
         let child = start(&desk.file, &out, &[]);
-        wait_for(&out, 2);
+        wait_for_lines(&out, 2);
         way(&out);
         let output = child.wait_with_output().unwrap();
         expect_code(&output, 70);
@@ -296,10 +287,7 @@ fn a_flipped_bit_in_any_file_is_told_and_mended() {
 #[cfg(target_os = "linux")]
 fn a_terminal_that_goes_away_stops_a_sweep_in_good_order() {
     let desk = Desk::new(&TINY.replace("0.025", "0.015"));
-    let hang_up = |child: &Child| {
-        let id = child.id().to_string();
-        assert!(Command::new("kill").args(["-HUP", &id]).status().unwrap().success());
-    };
+    let hang_up = |child: &Child| signal(child.id(), "HUP");
     // Whatever has started these tests heeds or does not heed.
     let start = |heed: &str| {
         let mut command = Command::new("env");
@@ -308,12 +296,12 @@ fn a_terminal_that_goes_away_stops_a_sweep_in_good_order() {
         command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap()
     };
     let child = start("--default-signal=HUP");
-    wait_for(&desk.out, 2);
+    wait_for_lines(&desk.out, 2);
     hang_up(&child);
     expect_code(&child.wait_with_output().unwrap(), 3);
     // What `nohup` has started goes on.
     let child = start("--ignore-signal=HUP");
-    wait_for(&desk.out, 4);
+    wait_for_lines(&desk.out, 4);
     hang_up(&child);
     expect_code(&child.wait_with_output().unwrap(), 0);
 }
@@ -358,7 +346,7 @@ fn histories_that_go_away_or_are_spoilt_are_missed_before_the_end() {
     for (number, way) in ways.iter().enumerate() {
         let out = desk.path().join(format!("out{number}"));
         let child = start(&desk.file, &out, &[]);
-        wait_for(&out, 2);
+        wait_for_lines(&out, 2);
         // After 0.2 s the first case is on the disk, and nobody opens its files again.
         std::thread::sleep(Duration::from_millis(300));
         way(&out.join("histories"));

@@ -10,8 +10,11 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
-use common::job::{LONG, is_mpich, kill_all, mpirun_is_there, processes, signal};
-use common::{TINY, TINY_CASES, assert_same, expect_code, journal_lines, run, write_file};
+use common::job::{
+    LONG, is_mpich, kill_all, mpirun_is_there, processes, signal, wait_for_lines, wait_until,
+    wait_within,
+};
+use common::{TINY, TINY_CASES, assert_same, expect_code, run, write_file};
 
 /// A place with a sweep file.
 struct Room {
@@ -63,14 +66,6 @@ impl Room {
         out
     }
 
-    fn wait_for(&self, lines: usize) {
-        let start = Instant::now();
-        while journal_lines(&self.out) < lines {
-            assert!(start.elapsed() < Duration::from_secs(120), "the sweep does not get on");
-            std::thread::sleep(Duration::from_millis(2));
-        }
-    }
-
     /// Those of its processes whose program has this name.
     fn named(&self, name: &str) -> Vec<u32> {
         let is = |number: &u32| {
@@ -112,7 +107,7 @@ fn a_launcher_that_is_told_to_end_gives_the_code_of_an_interrupted_sweep() {
     for name in ["INT", "TERM"] {
         let room = Room::new(LONG);
         let child = room.script(&[]).spawn().unwrap();
-        room.wait_for(1);
+        wait_for_lines(&room.out, 1);
         signal(room.launcher(), name);
         expect_code(&ended(child), 3);
         expect_code(&run(&["status", room.out.to_str().unwrap(), "--exit-code"]), 3);
@@ -134,7 +129,7 @@ fn a_launcher_that_loses_codes_changes_none() {
     expect_code(&room.script_under(loses).output().unwrap(), 2);
     let room = Room::new(LONG);
     let child = room.script_under(loses).spawn().unwrap();
-    room.wait_for(1);
+    wait_for_lines(&room.out, 1);
     signal(room.launcher(), "TERM");
     expect_code(&ended(child), 3);
 }
@@ -148,14 +143,9 @@ fn ctrl_c_when_the_job_is_done_gives_the_code_of_the_sweep() {
     let room = Room::new(TINY);
     let slow_to_leave = "\"$true_mpirun\" \"$@\" || exit; trap - USR1; sleep 5 & wait";
     let child = room.script_under(slow_to_leave).spawn().unwrap();
-    room.wait_for(1 + TINY_CASES);
-    let start = Instant::now();
-    while !room.out.join("report.html").is_file() && start.elapsed() < Duration::from_secs(60) {
-        std::thread::sleep(Duration::from_millis(5));
-    }
-    while !room.named("seawall").is_empty() {
-        std::thread::sleep(Duration::from_millis(5));
-    }
+    wait_for_lines(&room.out, 1 + TINY_CASES);
+    wait_until("report.html", || room.out.join("report.html").is_file());
+    wait_until("the end of the ranks", || room.named("seawall").is_empty());
     signal(child.id(), "INT");
     let output = ended(child);
     assert!(String::from_utf8_lossy(&output.stderr).contains("stopping"), "it came too late");
@@ -175,6 +165,7 @@ fn ctrl_c_while_the_script_looks_back_gives_the_code_of_the_sweep() {
         let room = Room::new(TINY);
         let child = room.script_under(at_once).spawn().unwrap();
         let start = Instant::now();
+        // Without a pause: the script looks back for a moment only.
         while !room.root.path().join("shims/mpirun.done").is_file() {
             assert!(start.elapsed() < Duration::from_secs(60), "the job does not end");
         }
@@ -192,14 +183,10 @@ fn a_killed_script_leaves_nobody_at_work() {
     }
     let room = Room::new(LONG);
     let mut child = room.script(&[]).spawn().unwrap();
-    room.wait_for(1);
+    wait_for_lines(&room.out, 1);
     child.kill().unwrap();
     child.wait().unwrap();
-    let start = Instant::now();
-    while !processes(&room.out).is_empty() {
-        assert!(start.elapsed() < Duration::from_secs(10), "the job lives on");
-        std::thread::sleep(Duration::from_millis(10));
-    }
+    wait_within(10, "the end of the job", || processes(&room.out).is_empty());
     expect_code(&run(&["status", room.out.to_str().unwrap(), "--exit-code"]), 3);
 }
 
@@ -211,7 +198,7 @@ fn killed_ranks_leave_no_shared_memory() {
     }
     let room = Room::new(LONG);
     let child = room.script(&[]).spawn().unwrap();
-    room.wait_for(1);
+    wait_for_lines(&room.out, 1);
     let environment = fs::read(format!("/proc/{}/environ", room.launcher())).unwrap();
     let environment = String::from_utf8_lossy(&environment).into_owned();
     let name = "OMPI_MCA_btl_vader_backing_directory=";
@@ -233,7 +220,7 @@ fn a_job_that_dies_is_started_again_until_it_is_done() {
     let reference = room.reference();
     let child = room.script(&["--keep-going"]).spawn().unwrap();
     for lines in [2, 4] {
-        room.wait_for(lines);
+        wait_for_lines(&room.out, lines);
         if let Some(&rank) = room.named("seawall").first() {
             signal(rank, "KILL");
         }
@@ -303,19 +290,12 @@ fn scripts_pass_on_the_signal_that_ends_them() {
         command.env("PATH", path).env("CARGO_TARGET_DIR", root.path().join("target"));
         command.env("SEAWALL_BINARY", &program).stdout(Stdio::null()).stderr(Stdio::null());
         let child = command.spawn().unwrap();
-        let start = Instant::now();
-        while !started.is_file() {
-            assert!(start.elapsed() < Duration::from_secs(60), "{script} does not begin");
-            std::thread::sleep(Duration::from_millis(5));
-        }
+        wait_until(script, || started.is_file());
         let at_work = fs::read_to_string(&started).unwrap();
         signal(child.id(), "TERM");
         expect_code(&ended(child), 143);
-        let start = Instant::now();
         let command = Path::new("/proc").join(at_work.trim()).join("cmdline");
-        while fs::read(&command).is_ok_and(|words| !words.is_empty()) {
-            assert!(start.elapsed() < Duration::from_secs(10), "what {script} began lives on");
-            std::thread::sleep(Duration::from_millis(5));
-        }
+        let is_gone = || !fs::read(&command).is_ok_and(|words| !words.is_empty());
+        wait_within(10, "the end of what the script began", is_gone);
     }
 }

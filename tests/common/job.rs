@@ -4,6 +4,8 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
+use super::journal_lines;
+
 /// The launcher: `mpirun`, or what `SEAWALL_MPIRUN` names, such as `mpirun.mpich`.
 fn launcher() -> String {
     std::env::var("SEAWALL_MPIRUN").unwrap_or_else(|_| "mpirun".to_owned())
@@ -89,6 +91,25 @@ pub fn rank(of: &Path, number: usize) -> u32 {
         told.split(|&byte| byte == 0).any(|word| variables.iter().any(|one| word == one.as_bytes()))
     };
     processes(of).into_iter().find(is).expect("there is no such rank")
+}
+
+/// Waits for something to be so, for so many seconds at most.
+pub fn wait_within(seconds: u64, what: &str, mut so: impl FnMut() -> bool) {
+    let start = Instant::now();
+    while !so() {
+        assert!(start.elapsed() < Duration::from_secs(seconds), "{what}: not in {seconds} s");
+        std::thread::sleep(Duration::from_millis(2));
+    }
+}
+
+/// The same for two minutes.
+pub fn wait_until(what: &str, so: impl FnMut() -> bool) {
+    wait_within(120, what, so);
+}
+
+/// Waits until so many lines are in the journal of a sweep.
+pub fn wait_for_lines(out: &Path, lines: usize) {
+    wait_until("lines in the journal", || journal_lines(out) >= lines);
 }
 
 /// Sends a signal.

@@ -2,10 +2,12 @@
 
 use std::io::{BufRead, BufReader};
 use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-use crate::common::job::{LONG, is_mpich, kill_all, mpirun, mpirun_is_there, signal};
-use crate::common::{TINY, expect_code, journal_lines, run, seawall, write_file};
+use crate::common::job::{
+    LONG, is_mpich, kill_all, mpirun, mpirun_is_there, signal, wait_for_lines,
+};
+use crate::common::{TINY, expect_code, run, seawall, write_file};
 
 /// `mpirun` itself may return 1 then, which otherwise says that some case failed.
 #[test]
@@ -18,11 +20,7 @@ fn who_ends_the_launcher_is_told_what_its_exit_code_means() {
     let mut command = mpirun(2);
     let child = command.args(["sweep", "--threads", "1", "--film", "none", "--out"]);
     let child = child.arg(&out).arg(&file).stderr(Stdio::piped()).spawn().unwrap();
-    let start = Instant::now();
-    while journal_lines(&out) < 1 {
-        assert!(start.elapsed() < Duration::from_secs(120), "the sweep does not begin");
-        std::thread::sleep(Duration::from_millis(2));
-    }
+    wait_for_lines(&out, 1);
     std::thread::sleep(Duration::from_millis(300));
     signal(child.id(), "INT");
     let output = child.wait_with_output().unwrap();
