@@ -11,7 +11,7 @@ use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 use common::job::{LONG, is_mpich, mpirun, mpirun_is_there, signal, wait_for_lines, wait_until};
-use common::{Desk, TINY, assert_same, ended, expect_code, journal_lines, run, seawall};
+use common::{Desk, TINY, Told, assert_same, ended, expect_code, journal_lines, run, seawall};
 
 /// The job script of a study.
 fn script(root: &Path, file: &str, out: &Path, launcher: &str) -> PathBuf {
@@ -152,9 +152,7 @@ fn a_job_that_is_told_to_stop_twice_without_progress_is_not_queued_again() {
         start();
         assert_eq!(queued(root).lines().count(), starts);
     }
-    let last = start();
-    expect_code(&last, 3);
-    let told = String::from_utf8(last.stderr).unwrap();
+    let told = Told::of(start(), 3).err;
     assert!(told.contains("two starts in a row") && told.contains("not put back"), "{told}");
     assert_eq!(queued(root).lines().count(), 3);
 }
@@ -330,9 +328,8 @@ fn a_command_that_does_not_join_a_sweep_ends_the_job() {
     ] {
         let mut command = mpirun(1);
         command.args(["sweep", &desk.file, "--out", &desk.dir, ":", "-n", "1"]);
-        let output = command.arg(env!("CARGO_BIN_EXE_seawall")).args(words).output().unwrap();
-        expect_code(&output, 2);
-        let errors = String::from_utf8_lossy(&output.stderr);
+        command.arg(env!("CARGO_BIN_EXE_seawall")).args(words);
+        let errors = Told::of(command.output().unwrap(), 2).err;
         assert!(errors.contains(told), "{errors}");
         assert!(!Path::new(&desk.dir).exists());
     }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 
 use common::job::{signal, wait_until};
-use common::{Desk, assert_same, ended, expect_code, run, seawall, write_file};
+use common::{Desk, Told, assert_same, ended, expect_code, run, seawall, write_file};
 use sha2::{Digest, Sha256};
 
 /// Two walls behind a shared stretch, which take a second or so each.
@@ -152,9 +152,7 @@ fn a_run_that_is_told_to_stop_keeps_its_state() {
     let child = filmed.spawn().unwrap();
     wait_until("film", || out.join("vtk").exists());
     signal(child.id(), "TERM");
-    let output = child.wait_with_output().unwrap();
-    expect_code(&output, 3);
-    let told = String::from_utf8_lossy(&output.stderr);
+    let told = Told::of(child.wait_with_output().unwrap(), 3).err;
     assert!(told.contains("interrupted: a single scene starts over"), "{told}");
     fs::remove_dir_all(out.join("vtk")).unwrap();
     finish(&one);

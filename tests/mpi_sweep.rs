@@ -13,9 +13,10 @@ use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant, SystemTime};
 
 use common::job::{
-    LONG, is_mpich, kill_all, mpirun, mpirun_is_there, rank, signal, wait_for_lines, wait_until,
+    LONG, is_mpich, kill_all, mpirun, mpirun_is_there, rank, room, signal, wait_for_lines,
+    wait_until,
 };
-use common::{TINY, TINY_CASES, assert_same, expect_code, journal_lines, run, write_file};
+use common::{TINY, TINY_CASES, Told, assert_same, expect_code, journal_lines, run, write_file};
 
 fn reference(root: &Path, file: &str) -> std::path::PathBuf {
     let out = root.join("reference");
@@ -26,11 +27,7 @@ fn reference(root: &Path, file: &str) -> std::path::PathBuf {
 
 #[test]
 fn any_number_of_ranks_gives_the_same_bits() {
-    if !mpirun_is_there() {
-        return;
-    }
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), TINY);
+    let Some((root, file)) = room(TINY) else { return };
     let reference = reference(root.path(), &file);
     for ranks in [1, 2, 4] {
         let out = root.path().join(format!("ranks-{ranks}"));
@@ -57,19 +54,13 @@ fn any_number_of_ranks_gives_the_same_bits() {
 /// The story: under MPI a session was one round. The rest came with the next call, and the exit code was 0 all the same.
 #[test]
 fn ranks_run_all_rounds_of_a_study() {
-    if !mpirun_is_there() {
-        return;
-    }
-    let root = tempfile::tempdir().unwrap();
     let text =
         "name = \"steep\"\n[scene]\nwall = \"fixed\"\n[grid]\nwave_height_ratio = [0.5, 0.6]\n";
-    let file = write_file(root.path(), text);
+    let Some((root, file)) = room(text) else { return };
     let [alone, ranks] = ["alone", "ranks"].map(|name| root.path().join(name));
     let words = ["sweep", &file, "--max-error", "9", "--film", "none", "--out"];
     expect_code(&run(&[&words[..], &[alone.to_str().unwrap()]].concat()), 0);
-    let output = mpirun(3).args(words).arg(&ranks).output().unwrap();
-    expect_code(&output, 0);
-    let told = String::from_utf8_lossy(&output.stderr);
+    let told = Told::of(mpirun(3).args(words).arg(&ranks).output().unwrap(), 0).err;
     assert!(told.contains("these run once more with finer particles"), "{told}");
     assert_same(&alone, &ranks);
     let table = |out: &Path| std::fs::read_to_string(out.join("max_error.csv")).unwrap();
@@ -78,11 +69,7 @@ fn ranks_run_all_rounds_of_a_study() {
 
 #[test]
 fn an_interrupted_job_goes_on_with_another_number_of_ranks() {
-    if !mpirun_is_there() {
-        return;
-    }
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), TINY);
+    let Some((root, file)) = room(TINY) else { return };
     let reference = reference(root.path(), &file);
     for name in ["USR1", "KILL"] {
         let out = root.path().join(name);
@@ -126,11 +113,7 @@ fn checkpoints(out: &Path) -> BTreeMap<PathBuf, SystemTime> {
 /// outlived their launcher finished the sweep before the last round.
 #[test]
 fn ranks_take_up_the_cases_of_ranks_that_were_killed() {
-    if !mpirun_is_there() {
-        return;
-    }
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), LONG);
+    let Some((root, file)) = room(LONG) else { return };
     let reference = reference(root.path(), &file);
     let out = root.path().join("out");
     let often =
@@ -177,11 +160,7 @@ fn hear(lines: &Receiver<String>, words: &str) {
 
 #[test]
 fn a_rank_that_hangs_is_named() {
-    if !mpirun_is_there() {
-        return;
-    }
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), LONG);
+    let Some((root, file)) = room(LONG) else { return };
     let reference = reference(root.path(), &file);
     let out = root.path().join("out");
     let command = ["sweep", "--threads", "1", "--hung-after-s", "2", "--out"];
@@ -208,18 +187,12 @@ fn a_rank_that_hangs_is_named() {
 
 #[test]
 fn progress_is_that_of_all_ranks() {
-    if !mpirun_is_there() {
-        return;
-    }
-    let root = tempfile::tempdir().unwrap();
     let fine = LONG.replace("0.01\n", "0.0065\n").replace("[10, 1e4]", "[10]");
-    let file = write_file(root.path(), &fine);
+    let Some((root, file)) = room(&fine) else { return };
     let out = root.path().join("out");
     let mut command = mpirun(2);
     let command = command.args(["sweep", "--threads", "1", "--film", "none", "--out"]);
-    let output = command.arg(&out).arg(&file).output().unwrap();
-    expect_code(&output, 0);
-    let told = String::from_utf8_lossy(&output.stderr).into_owned();
+    let told = Told::of(command.arg(&out).arg(&file).output().unwrap(), 0).err;
     // Rank 0 alone is never beyond half of both before one is done.
     let before = told.lines().filter(|line| line.contains("0 of 2 cases"));
     let shares = before.filter_map(|line| line.trim().split(' ').next()?.parse::<f64>().ok());
@@ -229,11 +202,7 @@ fn progress_is_that_of_all_ranks() {
 
 #[test]
 fn a_rank_that_dies_ends_the_job_and_nothing_is_lost() {
-    if !mpirun_is_there() {
-        return;
-    }
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), LONG);
+    let Some((root, file)) = room(LONG) else { return };
     let reference = reference(root.path(), &file);
     for number in [0, 2] {
         let out = root.path().join(format!("out{number}"));
@@ -247,9 +216,9 @@ fn a_rank_that_dies_ends_the_job_and_nothing_is_lost() {
         assert!(killed.elapsed() < Duration::from_secs(10), "{:?}", killed.elapsed());
         kill_all(&out);
         assert!(journal_lines(&out) < 5, "it was done before");
-        let output = mpirun(2).args(["sweep", "--out"]).arg(&out).arg(&file).output().unwrap();
-        expect_code(&output, 0);
-        let told = String::from_utf8_lossy(&output.stderr).into_owned();
+        let told =
+            Told::of(mpirun(2).args(["sweep", "--out"]).arg(&out).arg(&file).output().unwrap(), 0)
+                .err;
         assert!(!told.contains("damaged"), "{told}");
         assert_same(&reference, &out);
     }
@@ -257,40 +226,25 @@ fn a_rank_that_dies_ends_the_job_and_nothing_is_lost() {
 
 #[test]
 fn ranks_with_other_arguments_are_refused_by_name() {
-    if !mpirun_is_there() {
-        return;
-    }
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), TINY);
+    let Some((root, file)) = room(TINY) else { return };
     let out = root.path().join("out");
     let seawall = env!("CARGO_BIN_EXE_seawall");
     let mut command = mpirun(1);
     command.args(["sweep", "--out"]).arg(&out).arg(&file).arg(":");
     command.args(["-n", "1", seawall, "sweep", "--threads", "2", "--out"]).arg(&out).arg(&file);
-    let output = command.output().unwrap();
-    expect_code(&output, 70);
-    let told = String::from_utf8_lossy(&output.stderr).into_owned();
+    let told = Told::of(command.output().unwrap(), 70).err;
     assert!(told.contains("rank 1 on ") && told.contains("other arguments than rank 0"), "{told}");
     assert!(!out.exists());
 }
 
 #[test]
 fn only_rank_zero_speaks() {
-    if !mpirun_is_there() {
-        return;
-    }
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), "name = \"a\"\n");
+    let Some((root, file)) = room("name = \"a\"\n") else { return };
     let out = root.path().join("out");
     for executor in ["auto", "threads"] {
-        let output = mpirun(3)
-            .args(["sweep", "--executor", executor, "--out"])
-            .arg(&out)
-            .arg(&file)
-            .output()
-            .unwrap();
-        expect_code(&output, 2);
-        let told = String::from_utf8_lossy(&output.stderr).into_owned();
+        let mut command = mpirun(3);
+        command.args(["sweep", "--executor", executor, "--out"]).arg(&out).arg(&file);
+        let told = Told::of(command.output().unwrap(), 2).err;
         assert_eq!(told.matches("error: ").count(), 1, "{told}");
         assert!(!out.exists());
     }
@@ -318,20 +272,14 @@ fn a_rank_that_does_not_see_the_output_directory_is_named_and_its_files_are_sent
     let mut command = mpirun(1);
     command.args(["sweep", "--out"]).arg(&out).arg(&file).args([":", "-n", "1", "unshare"]);
     command.args(["--mount", "sh", "-c", &script, "sh", seawall, "sweep", "--out"]);
-    let output = command.arg(&out).arg(&file).output().unwrap();
-    expect_code(&output, 0);
-    let told = String::from_utf8_lossy(&output.stderr).into_owned();
+    let told = Told::of(command.arg(&out).arg(&file).output().unwrap(), 0).err;
     assert!(told.contains("note: rank 1 on ") && told.contains("does not see "), "{told}");
     assert_same(&reference(root.path(), &file), &out);
 }
 
 #[test]
 fn mixed_processors_give_the_bits_of_the_least_of_them() {
-    if !mpirun_is_there() {
-        return;
-    }
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), TINY);
+    let Some((root, file)) = room(TINY) else { return };
     let reference = reference(root.path(), &file);
     let portable = root.path().join("on-threads");
     let plain = ["sweep", "--simd", "portable", "--out", portable.to_str().unwrap()];
@@ -341,9 +289,7 @@ fn mixed_processors_give_the_bits_of_the_least_of_them() {
         let mut command = mpirun(1);
         command.args(["sweep", "--out"]).arg(&out).arg(&file).args([":", "-n", "1", "env"]);
         command.args([&setting, env!("CARGO_BIN_EXE_seawall"), "sweep", "--out"]);
-        let output = command.arg(&out).arg(&file).output().unwrap();
-        expect_code(&output, 0);
-        let told = String::from_utf8_lossy(&output.stderr).into_owned();
+        let told = Told::of(command.arg(&out).arg(&file).output().unwrap(), 0).err;
         assert!(told.contains(&format!(", {limit}, into")), "{told}");
         assert_same(expected, &out);
     }

@@ -11,10 +11,9 @@ use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
 use common::job::{
-    LONG, is_mpich, kill_all, mpirun_is_there, processes, signal, wait_for_lines, wait_until,
-    wait_within,
+    LONG, is_mpich, kill_all, processes, room, signal, wait_for_lines, wait_until, wait_within,
 };
-use common::{TINY, TINY_CASES, assert_same, expect_code, run, write_file};
+use common::{TINY, TINY_CASES, Told, assert_same, expect_code, run};
 
 /// A place with a sweep file.
 struct Room {
@@ -24,11 +23,11 @@ struct Room {
 }
 
 impl Room {
-    fn new(text: &str) -> Room {
-        let root = tempfile::tempdir().unwrap();
-        let file = write_file(root.path(), text);
+    /// None where there is no mpirun.
+    fn new(text: &str) -> Option<Room> {
+        let (root, file) = room(text)?;
         let out = root.path().join("out");
-        Room { root, file, out }
+        Some(Room { root, file, out })
     }
 
     /// The script, with the program that is tested.
@@ -87,10 +86,7 @@ fn ended(child: Child) -> Output {
 /// A trial run has no journal. Its code was taken for that of a job that died: 70.
 #[test]
 fn a_dry_run_ends_as_the_program_does() {
-    if !mpirun_is_there() {
-        return;
-    }
-    let room = Room::new(TINY);
+    let Some(room) = Room::new(TINY) else { return };
     expect_code(&room.script(&["--dry-run", "--quiet"]).output().unwrap(), 0);
     expect_code(
         &room.script(&["--dry-run", "--set", "numerics.kernel=\"none\""]).output().unwrap(),
@@ -101,11 +97,8 @@ fn a_dry_run_ends_as_the_program_does() {
 
 #[test]
 fn a_launcher_that_is_told_to_end_gives_the_code_of_an_interrupted_sweep() {
-    if !mpirun_is_there() {
-        return;
-    }
     for name in ["INT", "TERM"] {
-        let room = Room::new(LONG);
+        let Some(room) = Room::new(LONG) else { return };
         let child = room.script(&[]).spawn().unwrap();
         wait_for_lines(&room.out, 1);
         signal(room.launcher(), name);
@@ -116,18 +109,15 @@ fn a_launcher_that_is_told_to_end_gives_the_code_of_an_interrupted_sweep() {
 
 #[test]
 fn a_launcher_that_loses_codes_changes_none() {
-    if !mpirun_is_there() {
-        return;
-    }
     let loses = "\"$true_mpirun\" \"$@\"; exit 0";
-    let room = Room::new(TINY);
+    let Some(room) = Room::new(TINY) else { return };
     expect_code(&room.script_under(loses).output().unwrap(), 0);
-    let room = Room::new(&format!("{TINY}\n[limits]\nsteps = 10\n"));
+    let Some(room) = Room::new(&format!("{TINY}\n[limits]\nsteps = 10\n")) else { return };
     expect_code(&room.script_under(loses).output().unwrap(), 1);
     expect_code(&run(&["status", room.out.to_str().unwrap(), "--exit-code"]), 1);
-    let room = Room::new("name = \"a\"\n[gird]\n");
+    let Some(room) = Room::new("name = \"a\"\n[gird]\n") else { return };
     expect_code(&room.script_under(loses).output().unwrap(), 2);
-    let room = Room::new(LONG);
+    let Some(room) = Room::new(LONG) else { return };
     let child = room.script_under(loses).spawn().unwrap();
     wait_for_lines(&room.out, 1);
     signal(room.launcher(), "TERM");
@@ -137,10 +127,7 @@ fn a_launcher_that_loses_codes_changes_none() {
 /// The launcher used to die of the script's own signal when it was as good as done: exit code 138.
 #[test]
 fn ctrl_c_when_the_job_is_done_gives_the_code_of_the_sweep() {
-    if !mpirun_is_there() {
-        return;
-    }
-    let room = Room::new(TINY);
+    let Some(room) = Room::new(TINY) else { return };
     let slow_to_leave = "\"$true_mpirun\" \"$@\" || exit; trap - USR1; sleep 5 & wait";
     let child = room.script_under(slow_to_leave).spawn().unwrap();
     wait_for_lines(&room.out, 1 + TINY_CASES);
@@ -155,14 +142,11 @@ fn ctrl_c_when_the_job_is_done_gives_the_code_of_the_sweep() {
 /// Bash cannot run a trap while it reads a `$(...)`. Where the script had one after the job's end it returned 2.
 #[test]
 fn ctrl_c_while_the_script_looks_back_gives_the_code_of_the_sweep() {
-    if !mpirun_is_there() {
-        return;
-    }
     let at_once = "[[ \"$*\" = *sweep* ]] || exec \"$true_mpirun\" \"$@\"\n\
                    while [ \"$1\" != --ending ]; do shift; done; trap '' USR1\n\
                    printf 'out %s\\ncode 1\\n' /tmp >\"$2\"; touch \"$0.done\"";
     for _ in 0..12 {
-        let room = Room::new(TINY);
+        let Some(room) = Room::new(TINY) else { return };
         let child = room.script_under(at_once).spawn().unwrap();
         let start = Instant::now();
         // Without a pause: the script looks back for a moment only.
@@ -178,10 +162,7 @@ fn ctrl_c_while_the_script_looks_back_gives_the_code_of_the_sweep() {
 
 #[test]
 fn a_killed_script_leaves_nobody_at_work() {
-    if !mpirun_is_there() {
-        return;
-    }
-    let room = Room::new(LONG);
+    let Some(room) = Room::new(LONG) else { return };
     let mut child = room.script(&[]).spawn().unwrap();
     wait_for_lines(&room.out, 1);
     child.kill().unwrap();
@@ -193,10 +174,10 @@ fn a_killed_script_leaves_nobody_at_work() {
 /// Open MPI removes the files in which ranks share memory only where these end by themselves.
 #[test]
 fn killed_ranks_leave_no_shared_memory() {
-    if !mpirun_is_there() || is_mpich() {
+    if !is_mpich() {
         return;
     }
-    let room = Room::new(LONG);
+    let Some(room) = Room::new(LONG) else { return };
     let child = room.script(&[]).spawn().unwrap();
     wait_for_lines(&room.out, 1);
     let environment = fs::read(format!("/proc/{}/environ", room.launcher())).unwrap();
@@ -213,10 +194,7 @@ fn killed_ranks_leave_no_shared_memory() {
 
 #[test]
 fn a_job_that_dies_is_started_again_until_it_is_done() {
-    if !mpirun_is_there() {
-        return;
-    }
-    let room = Room::new(TINY);
+    let Some(room) = Room::new(TINY) else { return };
     let reference = room.reference();
     let child = room.script(&["--keep-going"]).spawn().unwrap();
     for lines in [2, 4] {
@@ -225,19 +203,14 @@ fn a_job_that_dies_is_started_again_until_it_is_done() {
             signal(rank, "KILL");
         }
     }
-    let output = ended(child);
-    expect_code(&output, 0);
-    let told = String::from_utf8_lossy(&output.stderr).into_owned();
+    let told = Told::of(ended(child), 0).err;
     assert!(told.contains("starting it again"), "{told}");
     assert_same(&reference, &room.out);
 }
 
 #[test]
 fn a_job_that_gets_no_further_is_given_up() {
-    if !mpirun_is_there() {
-        return;
-    }
-    let room = Room::new(TINY);
+    let Some(room) = Room::new(TINY) else { return };
     let starts = room.root.path().join("starts");
     let dies = format!(
         "[[ \"$*\" = *sweep* ]] || exec \"$true_mpirun\" \"$@\"; echo >>'{}'; exit 9",
@@ -251,10 +224,7 @@ fn a_job_that_gets_no_further_is_given_up() {
 /// Films were no progress: a job that died after each of them was given up.
 #[test]
 fn a_job_that_makes_one_more_film_is_started_again() {
-    if !mpirun_is_there() {
-        return;
-    }
-    let room = Room::new(TINY);
+    let Some(room) = Room::new(TINY) else { return };
     let starts = room.root.path().join("starts");
     let dies = format!(
         "[[ \"$*\" = *sweep* ]] || exec \"$true_mpirun\" \"$@\"; echo >>'{0}'\n\

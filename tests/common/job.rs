@@ -4,7 +4,9 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-use super::journal_lines;
+use tempfile::TempDir;
+
+use super::{journal_lines, write_file};
 
 /// The launcher: `mpirun`, or what `SEAWALL_MPIRUN` names, such as `mpirun.mpich`.
 fn launcher() -> String {
@@ -39,6 +41,15 @@ pub fn mpirun_is_there() -> bool {
         println!("skipped: no mpirun");
     }
     there
+}
+
+/// A folder with a sweep file for a job, and the file's path; none where there is no mpirun.
+pub fn room(text: &str) -> Option<(TempDir, String)> {
+    mpirun_is_there().then(|| {
+        let root = tempfile::tempdir().unwrap();
+        let file = write_file(root.path(), text);
+        (root, file)
+    })
 }
 
 /// Two walls behind a shared stretch, which take a few seconds each.

@@ -4,19 +4,14 @@ use std::io::{BufRead, BufReader};
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
-use crate::common::job::{
-    LONG, is_mpich, kill_all, mpirun, mpirun_is_there, signal, wait_for_lines,
-};
+use crate::common::job::{LONG, is_mpich, kill_all, mpirun, room, signal, wait_for_lines};
 use crate::common::{TINY, expect_code, run, seawall, write_file};
 
 /// `mpirun` itself may return 1 then, which otherwise says that some case failed.
 #[test]
 fn who_ends_the_launcher_is_told_what_its_exit_code_means() {
-    if !mpirun_is_there() {
-        return;
-    }
-    let root = tempfile::tempdir().unwrap();
-    let (file, out) = (write_file(root.path(), LONG), root.path().join("out"));
+    let Some((root, file)) = room(LONG) else { return };
+    let out = root.path().join("out");
     let mut command = mpirun(2);
     let child = command.args(["sweep", "--threads", "1", "--film", "none", "--out"]);
     let child = child.arg(&out).arg(&file).stderr(Stdio::piped()).spawn().unwrap();
@@ -36,12 +31,9 @@ fn who_ends_the_launcher_is_told_what_its_exit_code_means() {
 /// The story: the line with the true code did not come where films were cut short.
 #[test]
 fn who_ends_the_launcher_in_the_films_is_told_the_true_code() {
-    if !mpirun_is_there() {
-        return;
-    }
-    let root = tempfile::tempdir().unwrap();
     let text = LONG.replace("[0.3, 0.5]", "[0.5]").replace("[10, 1e4]", "[10]");
-    let (file, out) = (write_file(root.path(), &text), root.path().join("out"));
+    let Some((root, file)) = room(&text) else { return };
+    let out = root.path().join("out");
     let mut command = mpirun(2);
     let child = command.args(["sweep", "--threads", "1", "--out"]).arg(&out).arg(&file);
     let mut child = child.stderr(Stdio::piped()).spawn().unwrap();
