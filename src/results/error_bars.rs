@@ -7,7 +7,7 @@
 //! ```
 //! - The first term is Richardson's estimate for the order p. The largest over all companions is
 //!   taken, because two runs may agree by accident. p is 1, but 1.5 for levels and moments of
-//!   solitary waves at upright walls. The water is compressible, and the error by that is
+//!   solitary waves at upright walls, and 0.5 for runups on beaches. The water is compressible, and the error by that is
 //!   proportional to 1/c0². A companion also has r times the 1/c0², so the estimate includes both
 //!   errors. The error by sound falls like the spacing, that by the spacing no slower
 //!   (`results/convergence`).
@@ -34,6 +34,11 @@ const ORDER: f64 = 1.0;
 /// The same for levels and moments of a solitary wave at an upright wall. They depend on the water's
 /// tip. It is between the orders of the error by sound, 1, and of that by a tip's curvature, 2.
 const TIP_ORDER: f64 = 1.5;
+
+/// The same for a runup on a beach, which is told where the tongue is one spacing thick. As a wave
+/// turns back there its surface touches the beach: the tongue's thickness goes as the square of the
+/// distance from its tip (Carrier & Greenspan 1958).
+const TONGUE_ORDER: f64 = 0.5;
 
 // Errors that companions do not show. With these values 95 % of the bars of 144 cases hold. Their
 // walls and waves lie between those of the 300 cases, at six spacings
@@ -81,6 +86,8 @@ impl ErrorBars {
             Some((own, others.max_by(f64::total_cmp)?))
         };
         let tip_order = if is_measured(config, scene) { TIP_ORDER } else { ORDER };
+        let tongue = scene.reads_tongue_at_a_spacing();
+        let runup_order = if tongue { TONGUE_ORDER } else { tip_order };
         let value = |maximum: Option<Maximum>| maximum.map(|maximum| maximum.value);
         let relative = |read: &dyn Fn(&Outcome) -> Option<f64>, order: f64, scatter: f64| {
             let (own, resolution) = refined(read, order)?;
@@ -92,7 +99,7 @@ impl ErrorBars {
         let moment =
             |read: &dyn Fn(&Outcome) -> Option<f64>| relative(read, tip_order, moment_scatter);
         let runup = |read: &dyn Fn(&Outcome) -> Option<f64>| {
-            let (own, resolution) = refined(read, tip_order)?;
+            let (own, resolution) = refined(read, runup_order)?;
             Some(resolution.hypot(level_scatter).hypot(TIP_ERROR * own * own))
         };
         // A wall that stands, under a force that may be the one that moves it.

@@ -74,6 +74,13 @@ impl SeawallScene {
         })
     }
 
+    /// Whether runups are told where a tongue on a beach is one particle spacing thick. On steeper
+    /// slopes there is no tongue. Behind ground that rises out of the water they are those at the
+    /// wall.
+    pub fn reads_tongue_at_a_spacing(&self) -> bool {
+        self.is_at_beach() && self.runup_thickness_m.is_none()
+    }
+
     /// Checks the thickness at which runups are read against bed and particles.
     pub(super) fn validate_runup(&self, numerics: &Numerics) -> Result<(), ConfigError> {
         let Some(thickness) = self.runup_thickness_m else { return Ok(()) };

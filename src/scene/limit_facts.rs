@@ -187,11 +187,9 @@ impl Facts<'_> {
 
     /// Whether a wave runs up a beach, where a thin tongue is read too low with this many rows.
     pub fn reads_thin_tongues(&self) -> bool {
-        // On steeper slopes there is no tongue of water. Behind ground that rises out of the water,
-        // runups are those at the wall.
-        let beach = self.scene().seawall().is_some_and(SeawallScene::is_at_beach);
         let coarse = self.rows.is_some_and(|rows| rows <= 40.0);
-        self.wave > 0.0 && beach && coarse && self.runup_thickness().is_none()
+        let reads = self.scene().seawall().is_some_and(SeawallScene::reads_tongue_at_a_spacing);
+        self.wave > 0.0 && coarse && reads
     }
 
     /// Whether runups are read at a thickness at which a tongue's particles lie apart.
