@@ -171,7 +171,7 @@ quantities! { Read;
     FIRST_MOMENT_MAX = maximum("first_moment_max", "first M*", Moment, |c| {
         c.outcome?.first_moment_max
     }).bar("moment_error").whole("moment_max").of_a_single_wave();
-    /// integral of F* - 1 over the first impact
+    /// integral of F* - 1 over the first impact; where a wall swings back the end of the run may cut it off
     FIRST_IMPULSE = number("first_impulse", "first impulse", Impulse, |c| {
         c.outcome?.first_impulse
     }).decimals(4).of_a_single_wave();

@@ -66,7 +66,8 @@ pub(super) struct Evidence<'a> {
     pub compression_percent: f64,
     /// A later maximum counts as one at the end, seconds.
     pub end: f64,
-    /// Whether the run ends in the first impact.
+    /// Whether the run ends in the first impact of a wall that stands. One that swings back goes on
+    /// being pressed.
     pub in_impact: bool,
     /// Whether water of a single wave goes over the crest as the run ends.
     pub goes_over: bool,

@@ -206,7 +206,7 @@ impl Run {
             is_wave: has_wave && tank.paddle.is_some(),
             // Means end half their span earlier.
             end: self.clock.time - MEAN_SPAN * tank.frame.unit_time() - self.time_step,
-            in_impact: hits_first && m.first.is_under_way(),
+            in_impact: hits_first && wall.is_none() && m.first.is_under_way(),
             goes_over: hits_first && logbook.overtopping.as_ref().is_some_and(Overtopping::goes_on),
             lopsided: logbook.lopsided.filter(|_| compressible && has_wave && tank.upright()),
             over_bed: has_wave && tank.upright() && water.walls().profile.is_some(),
