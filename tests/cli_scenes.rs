@@ -84,6 +84,21 @@ fn still_water_that_grows_restless_is_doubtful() {
     }
 }
 
+/// The story: such noise moved a wall that still water does not move, and then nothing was told.
+#[test]
+fn still_water_that_moves_a_wall_is_doubtful() {
+    let text = "name = \"moved\"\n[scene]\nstill_water_depth_m = 0.2\ntank_length_m = 0.8\nwave_gauge_m = 0.4\n\
+                wave_height_ratio = 0\nend_time_s = 4\nwall = \"movable\"\nspring_stiffness_n_per_m = 500\n\
+                seawall_mass_kg_per_m = 50\nthreshold_ratio = 1.05\n[numerics]\npreset = \"huang2019\"\n\
+                boundary = \"normalized\"\nparticle_spacing_m = 0.02\n";
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("moved.toml");
+    fs::write(&file, text).unwrap();
+    let (root, _) = scene(file.to_str().unwrap(), &[], &[]);
+    let summary = fs::read_to_string(root.path().join("out/summary.csv")).unwrap();
+    assert!(summary.contains("still water did not stay still"), "{summary}");
+}
+
 #[test]
 fn a_dam_breaks_and_is_filmed() {
     let settings = ["numerics.particle_spacing_m=0.03", "scene.tank_length_m=2.4"];

@@ -362,3 +362,21 @@ fn what_is_no_crest_is_told() {
         expect_refused(&text, told);
     }
 }
+
+/// The story: water went over as the run ended, and a quarter of the volume was missing without a word. So it was with
+/// impulses. Every end cuts something off a train.
+#[test]
+fn what_the_end_of_a_run_cuts_off_is_doubtful() {
+    let told = |scene: &str, words: &str| {
+        let result = computed(&format!("{TANK}{scene}"), "normalized");
+        result.outcome.doubtful_reason.is_some_and(|told| told.contains(words))
+    };
+    let wave = "wave_height_ratio = 0.4\nend_after_stroke_centre_s = ";
+    let impulse = ["0.9", "2.5"].map(|end| told(&format!("{wave}{end}\n"), "first_impulse"));
+    assert_eq!(impulse, [true, false]);
+    let over = |end: &str| told(&format!("{wave}{end}\n{}", crest(0.04)), "overtopping_volume_m2");
+    assert_eq!(["0.95", "2.5"].map(over), [true, false]);
+    let train =
+        "paddle = \"wave-train\"\nwave_height_ratio = 0.3\nwave_period_s = 1\nend_time_s = 3.5\n";
+    assert!(!told(&format!("{train}{}", crest(0.02)), "still grew"));
+}

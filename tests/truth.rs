@@ -215,7 +215,7 @@ fn a_walls_displacement_does_not_know_the_speed_of_sound() {
 }
 
 /// The story: ghosts that took all water to be at rest threw these waves 0.002 and 0.006 h too high behind slopes of
-/// 1:20 and 1:10, and finer particles did not help. Theory is that of results/foreshores.
+/// 1:20 and 1:10. On 1:10 finer particles did not help. Theory is that of results/foreshores.
 #[test]
 fn runup_behind_a_slope_is_that_of_theory() {
     let runup = |spacing: f64, wave: f64, foot: f64| {

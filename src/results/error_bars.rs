@@ -6,11 +6,11 @@
 //! √( [ |f - f_r| / (r^p - 1) ]² + scatter² )
 //! ```
 //! - The first term is Richardson's estimate for the order p. The largest over all companions is
-//!   taken, because two runs may agree by accident. p is 1, but 1.5 for levels and moments of
-//!   solitary waves at upright walls, and 0.5 for runups on beaches. The water is compressible, and the error by that is
-//!   proportional to 1/c0². A companion also has r times the 1/c0², so the estimate includes both
-//!   errors. The error by sound falls like the spacing, that by the spacing no slower
-//!   (`results/convergence`).
+//!   taken, because two runs may agree by accident. p is 1: the water is compressible, and the error
+//!   by that is proportional to 1/c0². A companion also has r times the 1/c0², so the estimate
+//!   includes both errors. The error by sound falls like the spacing, that by the spacing no slower
+//!   (`results/convergence`). p is 1.5 for levels and moments of solitary waves at upright walls. It
+//!   is 0.5 for runups on beaches.
 //! - **Scatter**: between neighbouring spacings readings vary by a share of their size, levels by a
 //!   share of the spacing. High runups are off by a share of R²/h at any spacing. At a crest loads and
 //!   levels vary with the place of its edge among the rows. For a volume over a crest it is the volume
@@ -19,9 +19,10 @@
 //! A wall that stands has no bar of its displacement where the force may be the one that moves it, by
 //! the force's own bar.
 //!
-//! A bar is absolute, in the reading's own unit, and holds for more than nine cases in ten: the
-//! measurements are in `results/accuracy/coverage.md`. No constant was fitted to the cases that are
-//! counted there.
+//! A bar is absolute, in the reading's own unit. At walls over level beds without a crest it holds for
+//! more than nine cases in ten: the measurements are in `results/accuracy/coverage.md`. No constant
+//! was fitted to the cases that are counted there. At crests and on beaches fewer hold
+//! (docs/limits.md).
 
 use super::record::CaseRecord;
 pub use crate::quantities::Bars as ErrorBars;
@@ -36,8 +37,8 @@ const ORDER: f64 = 1.0;
 const TIP_ORDER: f64 = 1.5;
 
 /// The same for a runup on a beach, which is told where the tongue is one spacing thick. As a wave
-/// turns back there its surface touches the beach: the tongue's thickness goes as the square of the
-/// distance from its tip (Carrier & Greenspan 1958).
+/// turns back there its surface meets the beach without an angle: the tongue's thickness goes as the
+/// square of the distance from its tip (Carrier & Greenspan 1958).
 const TONGUE_ORDER: f64 = 0.5;
 
 // Errors that companions do not show. With these values 95 % of the bars of 144 cases hold. Their

@@ -60,7 +60,7 @@ pub(super) struct Evidence<'a> {
     pub lopsided: Option<f64>,
     /// Whether still water presses an upright wall over a bed, and by its weight alone.
     pub over_bed: bool,
-    /// Whether nothing makes a wave and the wall stands.
+    /// Whether nothing makes a wave, and still water alone would not move the wall.
     pub stays_still: bool,
     /// g h/c0², percent; zero where the water is incompressible.
     pub compression_percent: f64,

@@ -188,6 +188,12 @@ impl Run {
         let compressible = water.state_equation().is_some();
         let seawall = self.config.scene.seawall();
         let on_way = seawall.map_or(tank.least_depth, SeawallScene::least_depth_on_way_m);
+        // Still water alone moves no wall that needs more than its force.
+        let stands = |scene: &SeawallScene| {
+            !scene.wall.moves() || scene.onset_ratio(tank.static_force) > 1.0
+        };
+        // Every end cuts something off a train.
+        let single = hits_first && m.waves.is_none();
         let evidence = Evidence {
             gaps: &logbook.face_gaps,
             blows: &m.blows,
@@ -206,12 +212,11 @@ impl Run {
             is_wave: has_wave && tank.paddle.is_some(),
             // Means end half their span earlier.
             end: self.clock.time - MEAN_SPAN * tank.frame.unit_time() - self.time_step,
-            in_impact: hits_first && wall.is_none() && m.first.is_under_way(),
-            goes_over: hits_first && logbook.overtopping.as_ref().is_some_and(Overtopping::goes_on),
+            in_impact: single && wall.is_none() && m.first.is_under_way(),
+            goes_over: single && logbook.overtopping.as_ref().is_some_and(Overtopping::goes_on),
             lopsided: logbook.lopsided.filter(|_| compressible && has_wave && tank.upright()),
             over_bed: has_wave && tank.upright() && water.walls().profile.is_some(),
-            stays_still: self.config.scene.is_still()
-                && outcome.displacement_max.is_none_or(|most| most.value == 0.0),
+            stays_still: self.config.scene.is_still() && seawall.is_none_or(stands),
             compression_percent: if compressible {
                 100.0 * depth_speed / tank.sound_speed.powi(2)
             } else {

@@ -219,6 +219,16 @@ mod tests {
     }
 
     #[test]
+    fn water_goes_over_until_a_fiftieth_of_the_largest_discharge() {
+        let goes_on = |discharge: f64| {
+            let mut all = Overtopping::open(&Fluid::default());
+            (all.most.discharge, all.last.discharge) = (1.0, discharge);
+            all.goes_on()
+        };
+        assert_eq!([0.03, 0.01, 0.0, -0.1].map(goes_on), [true, false, false, false]);
+    }
+
+    #[test]
     fn columns_cover_the_crest_and_grow_in_number_without_a_jump() {
         let of = |back: f64| beginnings([1.0, back], 0.1).collect::<Vec<_>>();
         assert_eq!(of(1.1), [1.0]);
