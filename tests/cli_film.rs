@@ -188,7 +188,7 @@ fn an_interrupted_film_is_made_by_the_same_command() {
     let told = BufReader::new(child.stderr.take().unwrap()).lines();
     let mut told = told.map(Result::unwrap).skip_while(|line| line != "filming 1 case");
     assert!(told.next().is_some());
-    signal(child.id(), "INT");
+    assert!(signal(child.id(), "INT"));
     let rest: Vec<_> = told.collect();
     assert_eq!(child.wait().unwrap().code(), Some(3), "{rest:?}");
     assert!(films(&desk.out).is_empty() && !desk.out.join("films/reasons.csv").exists());

@@ -19,7 +19,7 @@ fn stopped(arguments: &[&str], once: &Path) -> Value {
     let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     wait_until("a file", || once.exists());
     std::thread::sleep(Duration::from_millis(100));
-    signal(child.id(), "TERM");
+    assert!(signal(child.id(), "TERM"));
     let output = child.wait_with_output().unwrap();
     expect_code(&output, 3);
     serde_json::from_slice(&output.stdout).unwrap()

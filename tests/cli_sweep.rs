@@ -110,7 +110,7 @@ fn signals_close_to_one_another_are_one() {
     std::thread::sleep(Duration::from_millis(2500));
     // A terminal tells a program and what has started it, which passes it on.
     for _ in 0..2 {
-        signal(child.id(), "INT");
+        assert!(signal(child.id(), "INT"));
     }
     assert_eq!(child.wait().unwrap().code(), Some(3));
     let kept = std::fs::read_dir(out.join("checkpoints")).map_or(0, Iterator::count);

@@ -142,7 +142,7 @@ fn a_run_that_is_told_to_stop_keeps_its_state() {
     let one = words("run", &desk.file, &out);
     let child = start(&one);
     wait_until("checkpoint", || !checkpoints(&out, "case").is_empty());
-    signal(child.id(), "TERM");
+    assert!(signal(child.id(), "TERM"));
     let output = child.wait_with_output().unwrap();
     expect_code(&output, 3);
 
@@ -151,7 +151,7 @@ fn a_run_that_is_told_to_stop_keeps_its_state() {
     filmed.args(&one).args(["--vtk", "0.01"]).stdout(Stdio::null()).stderr(Stdio::piped());
     let child = filmed.spawn().unwrap();
     wait_until("film", || out.join("vtk").exists());
-    signal(child.id(), "TERM");
+    assert!(signal(child.id(), "TERM"));
     let told = Told::of(child.wait_with_output().unwrap(), 3).err;
     assert!(told.contains("interrupted: a single scene starts over"), "{told}");
     fs::remove_dir_all(out.join("vtk")).unwrap();

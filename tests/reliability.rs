@@ -287,7 +287,7 @@ fn a_flipped_bit_in_any_file_is_told_and_mended() {
 #[cfg(target_os = "linux")]
 fn a_terminal_that_goes_away_stops_a_sweep_in_good_order() {
     let desk = Desk::new(&TINY.replace("0.025", "0.015"));
-    let hang_up = |child: &Child| signal(child.id(), "HUP");
+    let hang_up = |child: &Child| assert!(signal(child.id(), "HUP"));
     // Whatever has started these tests heeds or does not heed.
     let start = |heed: &str| {
         let mut command = Command::new("env");

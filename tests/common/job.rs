@@ -123,7 +123,8 @@ pub fn wait_for_lines(out: &Path, lines: usize) {
     wait_until("lines in the journal", || journal_lines(out) >= lines);
 }
 
-/// Sends a signal.
-pub fn signal(process: u32, name: &str) {
-    Command::new("kill").args([&format!("-{name}"), &process.to_string()]).status().unwrap();
+/// Sends a signal. Whether there was such a process.
+pub fn signal(process: u32, name: &str) -> bool {
+    let kill = [&format!("-{name}"), &process.to_string()];
+    Command::new("kill").args(kill).status().unwrap().success()
 }
