@@ -4,12 +4,15 @@
 //!
 //! RUNS holds a folder for each run, named by case and spacing: `b_0.0152`.
 
+mod common;
+
 use std::collections::BTreeMap;
 use std::error::Error;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use common::parabola_top;
 use plotters::prelude::*;
 
 /// A crest counts from this share of the record's highest level on, and is over after this time, s.
@@ -114,12 +117,8 @@ fn crest(series: &[(f64, f64)]) -> Option<(f64, f64)> {
     // What was not seen to fall is no crest.
     let (before, here, after) =
         (series.get(top.wrapping_sub(1))?, series[top], series.get(top + 1)?);
-    let (rise, bend) = (after.1 - before.1, before.1 - 2.0 * here.1 + after.1);
-    if bend >= 0.0 {
-        return Some(here);
-    }
-    let share = -0.5 * rise / bend;
-    Some((here.0 + share * (after.0 - here.0), here.1 + 0.25 * rise * share))
+    let (share, height) = parabola_top([before.1, here.1, after.1]);
+    Some((here.0 + share * (after.0 - here.0), height))
 }
 
 fn compare(

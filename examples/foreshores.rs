@@ -13,7 +13,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
-use common::{Row, number, read, text};
+use common::{Row, number, parabola_top, read, text};
 
 const GHOSTS: [&str; 2] = ["in-sum", "falling"];
 /// The still water's depth in all of these scenes, metres.
@@ -44,20 +44,15 @@ fn main() -> Result<()> {
         for height in distinct(&rows, "wave_height_ratio") {
             let theory = highest(&runs.join(format!("{bed}_{height}.csv")))? / DEPTH;
             for ghosts in GHOSTS {
-                let cells = |column: &str, tell: &dyn Fn(f64) -> String| {
-                    let cell = |spacing: &f64| {
-                        let row = rows.iter().find(|row| {
-                            number(row, "wave_height_ratio") == Some(height)
-                                && number(row, "particle_spacing_m") == Some(*spacing)
-                                && text(row, "ghost_gravity") == ghosts
-                        });
-                        row.and_then(|row| number(row, column)).map(tell).unwrap_or_default()
-                    };
-                    spacings.iter().map(cell).collect::<Vec<_>>().join(" | ")
+                let is_of = |row: &&Row| {
+                    number(row, "wave_height_ratio") == Some(height)
+                        && text(row, "ghost_gravity") == ghosts
                 };
-                let apart = cells("first_runup_max", &|runup| format!("{:+.3}", runup - theory));
+                let of: Vec<_> = rows.iter().filter(is_of).collect();
+                let apart = |runup: f64| format!("{:+.3}", runup - theory);
+                let apart = cells(&of, &spacings, "first_runup_max", apart);
                 writeln!(runups, "| {bed} | {height} | {theory:.3} | {ghosts} | {apart} |")?;
-                let force = cells("first_force_max", &|force| format!("{force:.3}"));
+                let force = cells(&of, &spacings, "first_force_max", |force| format!("{force:.3}"));
                 writeln!(forces, "| {bed} | {height} | {ghosts} | {force} |")?;
             }
         }
@@ -70,6 +65,15 @@ fn main() -> Result<()> {
          ## Force\n\n{FORCE}\n\n| bed | H/h | ghosts | {heads} |\n|---|---|---|{rule}\n{forces}"
     );
     fs::write(out, page).with_context(|| out.display().to_string())
+}
+
+/// Cells of a table: a column of the rows with these spacings.
+fn cells(rows: &[&Row], spacings: &[f64], column: &str, tell: impl Fn(f64) -> String) -> String {
+    let of = |spacing| {
+        rows.iter().find(|row| number(row, "particle_spacing_m") == Some(spacing)).copied()
+    };
+    let cell = |&spacing: &f64| of(spacing).and_then(|row| number(row, column)).map(&tell);
+    spacings.iter().map(|spacing| cell(spacing).unwrap_or_default()).collect::<Vec<_>>().join(" | ")
 }
 
 /// The values of a column, in their order.
@@ -93,22 +97,18 @@ fn highest(path: &Path) -> Result<f64> {
     else {
         bail!("{}: highest at its end", path.display());
     };
-    Ok(peak([*before, *here, *after]))
-}
-
-/// The top of the parabola through three samples at equal distances.
-fn peak([before, here, after]: [f64; 3]) -> f64 {
-    let bend = 2.0 * here - before - after;
-    if bend > 0.0 { here + (after - before).powi(2) / (8.0 * bend) } else { here }
+    Ok(parabola_top([*before, *here, *after]).1)
 }
 
 #[cfg(test)]
 mod tests {
+    use super::parabola_top;
+
     #[test]
     fn the_top_lies_between_samples() {
         let curve = |t: f64| 0.3 - 2.0 * (t - 0.02).powi(2);
-        let samples = [-0.05, 0.0, 0.05].map(curve);
-        assert!((super::peak(samples) - 0.3).abs() < 1e-12);
-        assert_eq!(super::peak([0.1; 3]), 0.1);
+        let (share, top) = parabola_top([-0.05, 0.0, 0.05].map(curve));
+        assert!((share - 0.4).abs() < 1e-12 && (top - 0.3).abs() < 1e-12);
+        assert_eq!(parabola_top([0.1; 3]), (0.0, 0.1));
     }
 }

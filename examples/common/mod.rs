@@ -102,6 +102,17 @@ impl Compared {
     }
 }
 
+/// The top of the parabola through three samples at equal distances: how far behind the middle one it
+/// is, in these distances, and its value. Where they have no top it is the middle one.
+pub fn parabola_top([before, here, after]: [f64; 3]) -> (f64, f64) {
+    let (rise, bend) = (after - before, before - 2.0 * here + after);
+    if bend >= 0.0 {
+        return (0.0, here);
+    }
+    let share = -0.5 * rise / bend;
+    (share, here + 0.25 * rise * share)
+}
+
 /// The exit code: 0 where all is well, 1 where it is not, 2 on bad input, which is told.
 pub fn exit(example: &str, result: Result<bool>) -> ExitCode {
     match result {

@@ -41,8 +41,8 @@ pub(super) struct Job {
 }
 
 impl Job {
-    /// A study as a new call runs it, or as one that goes on with what is there: all that is
-    /// missing, on trunks, with all threads at work, and without a report.
+    /// Runs all that is missing of a study; `fresh` starts it over. Cases share trunks, all threads
+    /// work, and no report is made.
     pub(super) fn of(study: Study, out: PathBuf, fresh: bool) -> Job {
         Job {
             study,

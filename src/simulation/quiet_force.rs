@@ -140,7 +140,7 @@ impl QuietForce {
     /// The effect of sound on the force around `middle`; none if the sound is not known over the
     /// whole time.
     fn sound(&self, middle: f64) -> Push {
-        let turn = self.lag - self.side;
+        let turn = self.turn();
         let swift_side = self.side.min((SWIFT_SIDE * self.span).max(SWIFT_TURNS * turn));
         match [self.side, swift_side].map(|side| self.added(middle, side)) {
             [Some([force, depth]), Some([swift, _])] => Push { force, swift, depth: Some(depth) },
@@ -160,8 +160,7 @@ impl QuietForce {
         // If the turns cover little more than half of that time, some are missing. But where few fit
         // into it they cover no more.
         let whole = side.min(middle - from) + side.min(to - middle);
-        let turn = self.lag - self.side;
-        let fit = (whole / turn + 1e-9).floor();
+        let fit = (whole / self.turn() + 1e-9).floor();
         if count < 3.0 || (reach < 0.625 * whole && count < fit) {
             return None;
         }
@@ -170,6 +169,11 @@ impl QuietForce {
         let above = turns().map(|turn| (turn.time - time) * (turn.rate - rate)).sum::<f64>();
         let below = turns().map(|turn| (turn.time - time).powi(2)).sum::<f64>();
         Some([mean(&|turn| turn.carried) - above / below, mean(&|turn| turn.depth)])
+    }
+
+    /// Time from one compression to the next, s; 0 where there is no sound.
+    fn turn(&self) -> f64 {
+        self.lag - self.side
     }
 
     /// The time around `middle` in which the wall's acceleration did not jump, s.
