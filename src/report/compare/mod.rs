@@ -14,7 +14,7 @@ mod values;
 use std::collections::HashSet;
 use std::path::Path;
 
-use super::config::each_config;
+use super::config::{Config, each_config};
 use super::error::ReportError;
 use super::load::Loaded;
 use super::row::Row;
@@ -70,6 +70,8 @@ struct Side<'a> {
     row: &'a Row,
     /// Its place in `Study::values`.
     case: Option<usize>,
+    /// Depth of its still water, m, as far as files tell.
+    depth: Option<f64>,
 }
 
 /// Compares two output directories by their files alone.
@@ -108,8 +110,9 @@ impl<'a> Study<'a> {
     fn of(data: &'a Loaded) -> Study<'a> {
         let configs = each_config(data, data.placed().map(|(place, _)| place));
         let mut values = Values::default();
-        let side = |((_, row), config): ((usize, &'a Row), Option<_>)| Side {
+        let side = |((_, row), config): ((usize, &'a Row), Option<Config>)| Side {
             row,
+            depth: config.as_ref().and_then(|config| config.value("still_water_depth_m")),
             case: config.map(|config| values.push(&config)),
         };
         let sides = data.placed().zip(configs).map(side).collect();

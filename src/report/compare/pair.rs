@@ -11,8 +11,8 @@ use crate::report::spoken::all_spoken;
 
 /// A wall that moves by less than this share of the depth has no displacement to compare in percent.
 const LEAST: f64 = 0.01;
-/// A smaller volume over a crest, m², has no difference in percent either.
-const LEAST_VOLUME_M2: f64 = 1e-5;
+/// A volume over a crest that is a smaller share of h² has no difference in percent either.
+const LEAST_VOLUME: f64 = 2.5e-4;
 
 /// A value in both cases.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -110,6 +110,7 @@ impl Difference {
 impl Pair {
     pub(super) fn of(a: &Side, b: &Side) -> Pair {
         let rows = [a.row, b.row];
+        let depth = a.depth.or(b.depth).unwrap_or(0.0);
         let difference = |quantity: &'static Column| {
             // The first hard impact of regular waves may come from different waves.
             let both = rows.iter().all(|row| row.impact(quantity) == quantity);
@@ -122,7 +123,7 @@ impl Pair {
                 stands_in: column != quantity,
                 least: match column.unit {
                     Unit::Runup => None,
-                    Unit::SquareMetres => Some(LEAST_VOLUME_M2),
+                    Unit::SquareMetres => Some(LEAST_VOLUME * depth * depth),
                     _ => Some(LEAST),
                 },
             })

@@ -6,7 +6,11 @@ use crate::quantities::summary::{
 use crate::report::row::Row;
 
 fn pair_of(rows: [&Row; 2]) -> Pair {
-    let [a, b] = rows.map(|row| Side { row, case: None });
+    pair_in(0.2, rows)
+}
+
+fn pair_in(depth: f64, rows: [&Row; 2]) -> Pair {
+    let [a, b] = rows.map(|row| Side { row, case: None, depth: Some(depth) });
     Pair::of(&a, &b)
 }
 
@@ -100,6 +104,9 @@ fn volumes_are_compared_and_maxima_that_stand_in_have_their_own_name() {
     assert!((volume.percent().unwrap() - 25.0).abs() < 1e-9, "{volume:?}");
     let none = pair_of([&row(1e-6, false), &row(0.0, false)]).differences[3].unwrap();
     assert_eq!((none.percent(), none.values), (None, [1e-6, 0.0]));
+    // The story: in water of 0.05 m a volume of 0.003 h² counted as nothing.
+    let shallow = pair_in(0.05, [&row(8e-6, false), &row(1e-5, false)]).differences[3].unwrap();
+    assert!((shallow.percent().unwrap() - 25.0).abs() < 1e-9, "{shallow:?}");
     let named = |pairs: Vec<Pair>| {
         crate::report::compare::Comparison { pairs, ..Default::default() }.column(0).name
     };
