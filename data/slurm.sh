@@ -3,8 +3,7 @@
 # and puts itself back into the queue until every case is done.
 #SBATCH --job-name={NAME}
 #SBATCH --nodes={NODES}
-#SBATCH --ntasks-per-node={RANKS}
-#SBATCH --cpus-per-task={THREADS}
+{CORES}
 #SBATCH --time={TIME}
 #SBATCH --signal=B:USR1@{GRACE}
 #SBATCH --requeue
@@ -51,7 +50,7 @@ give_up() {
 idle=$out/slurm.idle
 
 before=$(progress)
-# Since Slurm 22.05 srun does not ask for the job's cores per task by itself: threads might share a single one.
+# What stands before the launcher keeps the threads of a rank from sharing a single core.
 {LAUNCH} "$seawall" sweep "$study" --out "$out"{MORE} &
 job=$!
 # The signal came before there was a job to pass it on to. One that is only just being started would lose it.

@@ -213,15 +213,30 @@ fn a_job_script_says_what_was_asked_for() {
 #[test]
 fn ranks_of_several_threads_ask_srun_for_their_cores() {
     let desk = Desk::new(TINY);
+    let script = |resources: &[&str], launcher: &str| {
+        let common = ["slurm", &desk.file, "--nodes", "1", "--time", "9", "--launcher", launcher];
+        ended(0, &[&common[..], resources].concat()).out
+    };
+    let asked = "\nSRUN_CPUS_PER_TASK=\"${SLURM_CPUS_PER_TASK-8}\" srun -l ";
     for (launcher, threads, asks) in
         [("srun -l", "8", true), ("srun", "1", false), ("mpirun", "8", false)]
     {
-        let resources =
-            ["--nodes", "1", "--time", "9", "--threads", threads, "--launcher", launcher];
-        let text = ended(0, &[&["slurm", &desk.file][..], &resources].concat()).out;
-        let asked = "\nSRUN_CPUS_PER_TASK=\"${SLURM_CPUS_PER_TASK-8}\" srun -l ";
+        let text = script(&["--threads", threads], launcher);
         assert_eq!(text.contains(asked), asks, "{text}");
     }
+    // The story: where nothing was said four nodes of 64 cores ran four cases at once.
+    for (launcher, bind) in
+        [("srun -l", "SLURM_CPU_BIND=none srun -l "), ("mpirun", "policy=none mpirun ")]
+    {
+        let text = script(&[], launcher);
+        assert!(text.contains("\n#SBATCH --exclusive\n#SBATCH --ntasks-per-node=1\n"), "{text}");
+        assert!(text.contains(bind) && !text.contains("--threads"), "{text}");
+    }
+    let text = script(&["--ranks-per-node", "4"], "srun");
+    assert!(
+        text.contains("=4\n#SBATCH --cpus-per-task=1\n") && text.contains(" --threads 1 "),
+        "{text}"
+    );
 }
 
 /// What a launcher that does nothing but tell its environment tells of the keepalive settings.

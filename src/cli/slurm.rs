@@ -16,7 +16,7 @@ use crate::keys::named;
 /// again until every case is done.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  seawall slurm sweeps/liang2017.toml --nodes 4 --ranks-per-node 64 --time 12:00:00 | sbatch
+  seawall slurm sweeps/liang2017.toml --nodes 4 --time 12:00:00 | sbatch
   seawall slurm study.toml --nodes 2 --time 30 --ranks-per-node 64 --launcher 'mpirun' > study.sh")]
 pub(super) struct SlurmArgs {
     /// The sweep file.
@@ -27,13 +27,13 @@ pub(super) struct SlurmArgs {
     /// Time limit, as sbatch takes it: minutes, HH:MM:SS or DAYS-HH:MM:SS.
     #[arg(long, value_name = "TIME", value_parser = time, allow_hyphen_values = true)]
     time: String,
-    /// Ranks on each node: as many as it has cores, or fewer with more --threads. One rank of one thread takes a
-    /// single core.
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = options::whole(1, 10_000_u32), allow_negative_numbers = true)]
-    ranks_per_node: u32,
-    /// Threads of each rank.
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = options::whole(1, 10_000_u32), allow_negative_numbers = true)]
-    threads: u32,
+    /// Ranks on each node [default: 1]. Without this and --threads the job asks for whole nodes and uses all
+    /// their cores.
+    #[arg(long, value_name = "N", value_parser = options::whole(1, 10_000_u32), allow_negative_numbers = true)]
+    ranks_per_node: Option<u32>,
+    /// Threads of each rank [default: 1, or all cores of whole nodes].
+    #[arg(long, value_name = "N", value_parser = options::whole(1, 10_000_u32), allow_negative_numbers = true)]
+    threads: Option<u32>,
     /// The sweep is told to stop so many seconds before the time limit.
     #[arg(long, value_name = "SECONDS", default_value_t = 120, value_parser = options::whole(1, 65_535_u32), allow_negative_numbers = true)]
     grace_s: u32,
@@ -50,6 +50,10 @@ pub(super) struct SlurmArgs {
 
 /// The script, with names in braces where values are filled in.
 const SCRIPT: &str = include_str!("../../data/slurm.sh");
+
+/// Keeps mpirun of Open MPI 4 and 5 from binding a rank to one core. Other launchers pay no heed.
+const UNBOUND: &str =
+    "OMPI_MCA_hwloc_base_binding_policy=none PRTE_MCA_hwloc_default_binding_policy=none";
 
 fn command(text: &str) -> Result<String, String> {
     let refused = || "must be a command, such as srun or mpirun".to_owned();
@@ -107,6 +111,47 @@ fn filled(mut script: &str, names: &[(&str, String)]) -> String {
     text + script
 }
 
+/// What a job takes of its nodes.
+struct Share {
+    /// Lines for sbatch.
+    cores: String,
+    /// The command that starts the ranks, with its environment.
+    launch: String,
+    /// Options for the sweep.
+    threads: String,
+}
+
+impl Share {
+    /// Ranks and threads as asked for. Where nothing is asked one rank takes all cores of a node: without
+    /// `--threads` a rank sees how many it may use.
+    fn of(args: &SlurmArgs) -> Share {
+        let launcher = &args.launcher;
+        let by_srun = launcher.starts_with("srun");
+        if (args.ranks_per_node, args.threads) == (None, None) {
+            let bind = if by_srun { "SLURM_CPU_BIND=none" } else { UNBOUND };
+            return Share {
+                cores: "#SBATCH --exclusive\n#SBATCH --ntasks-per-node=1".to_owned(),
+                launch: format!("{bind} {launcher}"),
+                threads: String::new(),
+            };
+        }
+        let [ranks, threads] = [args.ranks_per_node, args.threads].map(|asked| asked.unwrap_or(1));
+        let launch = match (threads, by_srun) {
+            (1, _) => launcher.clone(),
+            // The srun inside mpirun starts a node's daemon, which needs the cores of all its ranks.
+            (_, true) => {
+                format!("SRUN_CPUS_PER_TASK=\"${{SLURM_CPUS_PER_TASK-{threads}}}\" {launcher}")
+            }
+            (_, false) => format!("{UNBOUND} {launcher}"),
+        };
+        Share {
+            cores: format!("#SBATCH --ntasks-per-node={ranks}\n#SBATCH --cpus-per-task={threads}"),
+            launch,
+            threads: format!(" --threads {threads}"),
+        }
+    }
+}
+
 pub(super) fn main(args: &SlurmArgs, output: &Output) -> anyhow::Result<u8> {
     let (time, grace) = (&args.time, args.grace_s);
     if seconds(time).is_some_and(|limit| limit < f64::from(grace) + SOONER_S) {
@@ -118,21 +163,15 @@ pub(super) fn main(args: &SlurmArgs, output: &Output) -> anyhow::Result<u8> {
     }
     let study = study(&args.file, &args.settings, Expect::Grid)?;
     let out = args.out.clone().unwrap_or_else(|| default_out(&study));
-    let mut launch = args.launcher.clone();
-    // The srun inside mpirun starts a node's daemon, which needs the cores of all its ranks.
-    if args.threads > 1 && launch.starts_with("srun") {
-        launch =
-            format!("SRUN_CPUS_PER_TASK=\"${{SLURM_CPUS_PER_TASK-{}}}\" {launch}", args.threads);
-    }
-    let mut more = format!(" --threads {}", args.threads);
+    let Share { cores, launch, threads } = Share::of(args);
+    let mut more = threads;
     for setting in &args.settings {
         more += &format!(" --set {}", quoted(&setting.text));
     }
     let text = [
         ("{NAME}", study.name.clone()),
         ("{NODES}", args.nodes.to_string()),
-        ("{RANKS}", args.ranks_per_node.to_string()),
-        ("{THREADS}", args.threads.to_string()),
+        ("{CORES}", cores),
         ("{TIME}", args.time.clone()),
         ("{GRACE}", args.grace_s.to_string()),
         ("{SEAWALL}", absolute(&std::env::current_exe()?)?),
@@ -142,11 +181,6 @@ pub(super) fn main(args: &SlurmArgs, output: &Output) -> anyhow::Result<u8> {
         ("{LAUNCH}", launch),
         ("{MORE}", more),
     ];
-    if args.ranks_per_node * args.threads == 1 {
-        let more = "--ranks-per-node takes more of its cores";
-        output
-            .note(format_args!("note: one rank of one thread takes one core of each node; {more}"));
-    }
     let script = filled(SCRIPT, &text);
     output.result(&script, &json!({ "script": script, "out": json_path(&out) }))?;
     Ok(SUCCESS)
