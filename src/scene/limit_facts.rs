@@ -16,8 +16,7 @@ use crate::theory::hydrostatics::wall_force;
 /// Whether a case has a known limit, and the warning.
 pub(super) type Limit = (fn(&Facts<'_>) -> bool, &'static str);
 
-/// Walls on springs of this many ρgh, 1e4 N/m in water of 0.2 m, hardly move under the highest
-/// waves.
+/// Walls on springs of this many ρgh, 1e4 N/m in water of 0.2 m, hardly move under any wave.
 const STIFF: f64 = 5.0;
 
 /// Facts about a case.
@@ -30,19 +29,18 @@ pub(super) struct Facts<'a> {
     pub wave: f64,
     /// Rows of particles over the depth before a seawall.
     pub rows: Option<f64>,
-    /// Whether the seawall hardly moves.
-    pub stands: bool,
+    /// Stiffness of a seawall's spring over ρgh; infinite for a fixed wall, 0 without a wall.
+    pub stiffness: f64,
     /// Angle between bed and seawall, degrees; 90 without a seawall.
     pub angle: f64,
 }
 
-/// Whether a seawall is fixed, or hardly moves whatever the wave. A coupling below 1 makes a spring
-/// as much stiffer.
-fn hardly_moves(scene: &SeawallScene) -> bool {
+/// Stiffness of a seawall's spring over ρgh, infinite for a fixed wall. A coupling below 1 makes it as much larger.
+fn stiffness(scene: &SeawallScene) -> f64 {
     let (density, gravity) = (scene.water_density_kg_per_m3, scene.gravity_m_per_s2);
-    let depth = scene.still_water_depth_m;
     let wall = scene.law(wall_force(scene.force_depth_m(), density, gravity));
-    wall.restraint().is_none_or(|held| held.stiffness >= STIFF * density * gravity * depth)
+    let weight = density * gravity * scene.still_water_depth_m;
+    wall.restraint().map_or(f64::INFINITY, |held| held.stiffness / weight)
 }
 
 impl Facts<'_> {
@@ -56,7 +54,7 @@ impl Facts<'_> {
             weakly: numerics.scheme == Scheme::Wcsph,
             wave: seawall.map_or(0.0, |scene| scene.wave_height_ratio),
             rows: seawall.map(|scene| scene.still_water_depth_m / numerics.particle_spacing_m),
-            stands: seawall.is_some_and(hardly_moves),
+            stiffness: seawall.map_or(0.0, stiffness),
             angle: seawall.map_or(90.0, |scene| scene.wall_angle_deg),
         }
     }
@@ -64,6 +62,11 @@ impl Facts<'_> {
     /// The scene.
     pub fn scene(&self) -> &Scene {
         &self.config.scene
+    }
+
+    /// Whether a seawall hardly moves.
+    pub fn stands(&self) -> bool {
+        self.stiffness >= STIFF
     }
 
     /// Whether regular waves make its particles creep closer.
@@ -133,7 +136,7 @@ impl Facts<'_> {
         self.scene().bed().is_some()
     }
 
-    /// Whether water may go over the wall.
+    /// Whether water may go over its wall.
     pub fn has_crest(&self) -> bool {
         self.scene().has_crested_wall()
     }
@@ -194,11 +197,8 @@ impl Facts<'_> {
 
     /// Whether runups are read at a thickness at which a tongue's particles lie apart.
     pub fn thins_out(&self) -> bool {
-        self.runup_thickness().is_some_and(|thickness| thickness < self.numerics.particle_spacing_m)
-    }
-
-    fn runup_thickness(&self) -> Option<f64> {
-        self.scene().seawall()?.runup_thickness_m
+        let thickness = self.scene().seawall().and_then(|scene| scene.runup_thickness_m);
+        thickness.is_some_and(|thickness| thickness < self.numerics.particle_spacing_m)
     }
 
     /// Whether its bed has a trench too narrow for particles.

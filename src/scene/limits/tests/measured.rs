@@ -55,3 +55,41 @@ fn a_crest_near_the_still_water_is_told() {
     };
     assert_eq!([0.01, 0.029, 0.03, 0.1].map(told), [true, true, false, false]);
 }
+
+/// The story: walls on stiff springs rang in incompressible water, and the run said that forces hold. Bars that were set
+/// for the other scheme were shown without a word, and so were those of narrow supports.
+#[test]
+fn what_bars_and_readings_were_not_set_for_is_told() {
+    let told = |scene: &str, numerics: &str, words: &str| {
+        limits(&CaseConfig::of(scene, numerics)).iter().any(|limit| limit.contains(words))
+    };
+    let isph = "scheme = \"isph\"";
+    let rings = |wave: f64, stiffness: f64, numerics: &str| {
+        let wall = "wall = \"movable\"\nseawall_mass_kg_per_m = 50";
+        let scene =
+            format!("{wall}\nwave_height_ratio = {wave}\nspring_stiffness_n_per_m = {stiffness}");
+        told(&scene, numerics, "makes the wall swing")
+    };
+    assert_eq!(
+        [(0.5, 1e6), (0.4, 1e5), (0.3, 1e6), (0.5, 1e4)].map(|(h, k)| rings(h, k, isph)),
+        [true, true, false, false]
+    );
+    assert!(!rings(0.5, 1e6, "") && !told("wave_height_ratio = 0.6", isph, "makes the wall swing"));
+    let bars = format!("{isph}\nerror_bars = \"pair\"");
+    let narrow_bars = [isph, &bars, "error_bars = \"pair\""];
+    assert_eq!(
+        narrow_bars.map(|numerics| told("", numerics, "are too narrow")),
+        [false, true, false]
+    );
+    let support = |wave: f64, support: f64| {
+        let numerics = format!("support_radius_ratio = {support}");
+        told(&format!("wave_height_ratio = {wave}"), &numerics, "support_radius_ratio below 5")
+    };
+    assert_eq!(
+        [(0.5, 4.0), (0.5, 5.0), (0.2, 4.0)].map(|(h, wide)| support(h, wide)),
+        [true, false, false]
+    );
+    assert!(!told("wave_height_ratio = 0.5", "", "support_radius_ratio below 5"));
+    let leaning = "wave_height_ratio = 0.5\nwall_angle_deg = 60";
+    assert!(!told(leaning, "", "support_radius_ratio below 5"));
+}

@@ -1,0 +1,45 @@
+//! Known limits of incompressible SPH.
+
+use crate::scene::limit_facts::Limit;
+use crate::scene::numerics::ErrorBars;
+
+/// A spring of this many ρgh is so stiff that noise of the particles makes the wall swing.
+const RINGS: f64 = 50.0;
+
+pub(super) const INCOMPRESSIBLE: &[Limit] = &[
+    (
+        |case| !case.weakly && case.hits_again() && case.numerics.volume_feedback == 0.0,
+        "scheme = \"isph\" and a wave that comes back to the wall: its water sinks through itself, by 1 % of its \
+         depth in 25 to 40 s; volume_feedback = 0.002 holds it, and takes energy from the wave",
+    ),
+    (
+        |case| case.leaves_divergence(),
+        "laplacian = \"symmetric\" or \"schwaiger\" leaves divergence in the water and wants \
+         gravity_courant_number = 0.035; \"exact\" does neither",
+    ),
+    (
+        |case| !case.weakly && case.wave >= 0.5 && case.stands(),
+        "scheme = \"isph\" at H/h of 0.5 and more on a wall that hardly moves: the runup is read low, by \
+         0.03 to 0.05 h at 0.5 and 0.13 to 0.15 h at 0.6 at the default spacing",
+    ),
+    (
+        |case| {
+            let stiff = case.stiffness > RINGS && case.stiffness.is_finite();
+            !case.weakly && case.wave >= 0.4 && stiff
+        },
+        "scheme = \"isph\" at H/h of 0.4 and more on a spring of 50 ρgh or stiffer: noise of the particles makes the wall swing, \
+         and nothing damps that; at the default spacing F* was 1.4 % low to 4.5 % high, M* 1 % low to 6 % high and X* \
+         3 % low to 12 % high",
+    ),
+    (
+        |case| !case.weakly && case.wave > 0.0 && case.numerics.error_bars != ErrorBars::None,
+        "scheme = \"isph\" with error bars: they were set for scheme = \"wcsph\" and are too narrow; at H/h of 0.1 to 0.6 and 8 to \
+         16 mm the truth was within 29 of 39 of F*, 17 of 39 of R*, 33 of 39 of M* and 13 of 27 of X*",
+    ),
+    (
+        |case| !case.weakly && case.rows.is_some_and(|rows| rows > 32.0),
+        "scheme = \"isph\" with more than 32 rows over the depth: a case of 25 rows takes half a \
+         minute and more, one of half the spacing six times as long; scheme = \"wcsph\" is as \
+         accurate in a fifth of the time",
+    ),
+];
