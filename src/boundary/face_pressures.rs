@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::exchange::Exchange;
 use super::ghosts::Ghosts;
 use super::sums::Water;
-use super::{AMPLIFICATION_LIMIT, InterpolatorChoice, MlsLinear};
+use super::{AMPLIFICATION_LIMIT, InterpolatorChoice, MlsLinear, Normalized};
 use crate::body::{BodyMotion, Place};
 use crate::math::simd::{LANES, SimdPath};
 
@@ -26,7 +26,9 @@ impl Ghosts {
 impl Exchange {
     /// The water's pressure at every point up a body's face, Pa; 0 where it is dry. Moving least
     /// squares find it, whatever gives the ghosts their values: in a thin jet the nearest particle
-    /// alone may have twice the pressure of the water around it.
+    /// alone may have twice the pressure of the water around it. Across a wall the pressure has no
+    /// slope, so in even water they differ little from the mean around the point. Where particles
+    /// lie apart at the wall they may follow noise: the difference is at most a row's weight.
     pub fn face_pressures(
         &mut self,
         path: SimdPath,
@@ -37,13 +39,18 @@ impl Exchange {
     ) {
         let amplification_limit = AMPLIFICATION_LIMIT;
         let smooth = InterpolatorChoice::MlsLinear(MlsLinear { amplification_limit });
-        self.weigh_face(path, ghosts, (body, motion), water, smooth);
-        let pressure = |face: usize| {
-            let wet = self.wet_share(body, face);
-            if wet > 0.0 { wet * self.moved_to_face(ghosts, motion, face) } else { 0.0 }
-        };
+        let mean = InterpolatorChoice::Normalized(Normalized);
+        self.weigh_face(path, ghosts, (body, motion), water, mean);
         pressures.clear();
-        pressures.extend(ghosts.up(body).map(pressure));
+        pressures.extend(ghosts.up(body).map(|face| self.moved_to_face(ghosts, motion, face)));
+        self.weigh_face(path, ghosts, (body, motion), water, smooth);
+        let most = self.rules.surface_density * self.rules.gravity * self.rules.spacing;
+        for (face, pressure) in ghosts.up(body).zip(pressures) {
+            let wet = self.wet_share(body, face);
+            let near = self.moved_to_face(ghosts, motion, face);
+            let near = near.max(*pressure - most).min(*pressure + most);
+            *pressure = if wet > 0.0 { wet * near } else { 0.0 };
+        }
     }
 
     /// Weights and means at the points of a body's face. The body has this motion, the others
