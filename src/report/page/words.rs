@@ -57,9 +57,18 @@ pub fn at(row: &Row) -> String {
 
 /// A sentence where the result of a row is doubtful. For a single case its doubts are reported
 /// elsewhere.
-pub fn doubt(row: &Row, cases: usize) -> &'static str {
+pub fn doubt(row: &Row, cases: usize) -> String {
+    doubt_of("The result", row, cases)
+}
+
+/// The same with a name for the result, where the sentence before it is about another.
+pub fn doubt_of(what: &str, row: &Row, cases: usize) -> String {
     let doubtful = row.is(&DOUBTFUL) && cases > 1;
-    if doubtful { " The result is doubtful: look at its history first." } else { "" }
+    if doubtful {
+        format!(" {what} is doubtful: look at its history first.")
+    } else {
+        String::new()
+    }
 }
 
 /// A share in percent with two digits: `0.42 %`, `3.1 %`, `12 %`.

@@ -53,7 +53,7 @@ pub fn largest(data: &Loaded) -> Option<String> {
         text.push_str(" It is that of the first impact.");
         text.push_str(&later(data, force).unwrap_or_default());
     }
-    text.push_str(doubt(row, data.rows.len()));
+    text.push_str(&doubt(row, data.rows.len()));
     // This comes last, as everything before it is about the other case.
     if let Some(other) = other.and_then(told) {
         text.push_str(&format!(" In newtons it is {other}"));

@@ -3,7 +3,7 @@
 use super::force::most;
 use crate::quantities::summary::OVERTOPPING_VOLUME;
 use crate::report::load::Loaded;
-use crate::report::page::words::{at, doubt, result};
+use crate::report::page::words::{at, doubt_of, result};
 
 /// The largest volume over a crest with its bar, and the case that has it; `None` without a crest.
 pub fn largest(data: &Loaded) -> Option<String> {
@@ -22,14 +22,14 @@ pub fn largest(data: &Loaded) -> Option<String> {
     if dry > 0 {
         text.push_str(&format!(" In {dry} of {cases} cases no water went over."));
     }
-    text.push_str(doubt(row, data.rows.len()));
+    text.push_str(&doubt_of("The largest volume", row, data.rows.len()));
     Some(text)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::quantities::summary::OVERTOPPING_VOLUME_ERROR;
+    use crate::quantities::summary::{DOUBTFUL, OVERTOPPING_VOLUME_ERROR};
     use crate::report::fixture;
     use crate::report::page::answers::all;
 
@@ -51,6 +51,11 @@ mod tests {
              H/h = 0.3. In 1 of 3 cases no water went over."
         );
         assert!(all(&data).contains(&("Over the crest", told)));
+        // The story: "The result is doubtful" stood behind the sentence on cases without water.
+        data.rows[2].set(&DOUBTFUL, true);
+        let told = largest(&data).unwrap();
+        let end = "no water went over. The largest volume is doubtful: look at its history first.";
+        assert!(told.ends_with(end), "{told}");
         data.rows.truncate(1);
         assert_eq!(largest(&data).unwrap(), "No water went over the crest.");
     }

@@ -33,7 +33,7 @@ pub fn highest(data: &Loaded) -> Option<String> {
             .to_owned(),
         None => String::new(),
     });
-    text.push_str(doubt(row, data.rows.len()));
+    text.push_str(&doubt(row, data.rows.len()));
     Some(text)
 }
 
