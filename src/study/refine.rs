@@ -36,8 +36,13 @@ impl Refine {
                 return Err(ConfigError::new("grid.refine", other, shape));
             }
         };
-        let refine: Refine = read_alone(&table)?;
         let known: Vec<_> = summary::ALL.iter().filter(|one| is_result(one)).collect();
+        let asked = table.get("quantity").and_then(Value::as_str);
+        let column = known.iter().find(|one| Some(one.name) == asked);
+        if let (Some(column), Some(to @ Value::String(_))) = (column, table.get("to")) {
+            return Err(ConfigError::new("grid.refine.to", to, in_unit_of(column)));
+        }
+        let refine: Refine = read_alone(&table)?;
         let names: Vec<_> = known.iter().map(|one| one.name).collect();
         if names.contains(&refine.quantity.as_str()) {
             return Ok(Some(refine));
@@ -62,6 +67,15 @@ impl Refine {
             return Err(ConfigError::new("grid.refine", "", allowed));
         }
         Ok(())
+    }
+}
+
+/// What `to` must be for a quantity, in words: no share of it.
+fn in_unit_of(column: &Column) -> String {
+    let name = column.name;
+    match column.unit.symbol() {
+        "" => format!("must be a number alone, without a unit as {name} itself"),
+        unit => format!("must be a number alone, in the unit of {name}, {unit}"),
     }
 }
 
