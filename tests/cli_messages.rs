@@ -269,6 +269,7 @@ fn error_bars_that_nobody_can_make_are_told_with_the_reason() {
     let told = ended(0, &["check", &desk.file]).out;
     let why = "1 case will have none, as a companion with coarser particles cannot run (scene.crest_width_m";
     assert!(told.contains(why), "{told}");
+    assert!(!told.contains("error_bars = \"pair\" tells"), "{told}");
     // The companions of a dam break ran, and no word said that nothing comes of them.
     let column = "name = \"a\"\n[scene]\nkind = \"dam-break\"\n[numerics]\nerror_bars = \"pair\"\n";
     let told = ended(0, &["check", &Desk::new(column).file]).out;

@@ -93,3 +93,20 @@ fn what_bars_and_readings_were_not_set_for_is_told() {
     let leaning = "wave_height_ratio = 0.5\nwall_angle_deg = 60";
     assert!(!told(leaning, "", "support_radius_ratio below 5"));
 }
+
+/// The story: at a narrow crest "error_bars = "pair" tells of each" stood beside a warning that there will be none.
+#[test]
+fn error_bars_are_proposed_where_a_companion_can_run() {
+    let told = |width: f64| {
+        let scene = format!(
+            "tank_length_m = 2\nbehind = \"outflow\"\ncrest_freeboard_m = 0.1\ncrest_width_m = {width}"
+        );
+        let config = CaseConfig::of(&scene, "particle_spacing_m = 0.012");
+        let told = limits(&config).into_iter().filter(|limit| limit.starts_with("a crest that"));
+        let told: Vec<_> = told.collect();
+        assert_eq!(told.len(), 1, "{told:?}");
+        told[0].rsplit_once("; ").unwrap().1
+    };
+    assert_eq!(told(0.2), "error_bars = \"pair\" tells of each how far it may be off");
+    assert_eq!(told(0.07), "error bars need a smaller particle_spacing_m here");
+}
