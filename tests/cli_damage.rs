@@ -349,6 +349,28 @@ fn a_report_makes_the_summary_again() {
     }
 }
 
+/// The story: of a sweep that was killed early `find` said that `report` makes the summary, and `report` that a sweep does.
+#[test]
+fn what_makes_the_summary_of_a_killed_sweep_is_told_alike() {
+    let desk = Desk::new(TINY);
+    sweep(0, &desk.file, &desk.out, &["--film", "none"]);
+    let (summary, journal) = (desk.out.join("summary.csv"), desk.out.join("journal.jsonl"));
+    let whole = fs::read_to_string(&journal).unwrap();
+    for done in [0, 1] {
+        let early: String = whole.split_inclusive('\n').take(1 + done).collect();
+        fs::write(&journal, early).unwrap();
+        let _ = fs::remove_file(&summary);
+        let left = 8 - done;
+        let told = format!("has no summary.csv, with {left} of 8 cases left; `seawall sweep` or");
+        for words in [&["find", &desk.dir, "F* < 3"][..], &["report", &desk.dir]] {
+            let words = ended(2, words).err;
+            assert!(words.contains(&told), "{words}");
+        }
+    }
+    sweep(0, &desk.file, &desk.out, &["--film", "none"]);
+    ended(0, &["report", &desk.dir]);
+}
+
 /// The story: what a parser of tables says of it was all that was told.
 #[test]
 fn a_damaged_summary_is_told_with_what_mends_it() {

@@ -47,7 +47,7 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
     let _making = hold_making(&args.dir, output);
     let closing = Closing::read(&args.dir);
     let damaged = if closing.is_none() { renew(args, output)? } else { Vec::new() };
-    demand_output_of_study(&args.dir, SUMMARY)?;
+    stored::demand_summary(&args.dir)?;
     let omitted = Omitted::from(damaged);
     Derived::begin(&args.dir, MADE_BY_SWEEPS).map_err(not_writable)?;
     let written = crate::report::write_with(&args.dir, args.froude_scale, &formats, &omitted);

@@ -8,7 +8,8 @@ use super::{max_error, refine};
 use crate::disk::names::{JOURNAL, MANIFEST, SUMMARY};
 use crate::keys::named;
 use crate::math::simd::SimdPath;
-use crate::results::{Lock, Manifest, header_of};
+use crate::math::words::counted;
+use crate::results::{Lock, Manifest, header_of, verify};
 use crate::study::{Override, PHYSICS_VERSION, Study, SweepFile};
 
 /// The study, and the instruction set that it was computed with.
@@ -25,18 +26,36 @@ pub(super) fn study(directory: &Path) -> anyhow::Result<(Study, SimdPath)> {
     Ok((study, simd))
 }
 
-/// Refuses a directory without `summary.csv`. If `report` can make that from the journal, the
-/// message names it: it is faster than a sweep.
+/// Refuses a directory without `summary.csv`, and says what makes it. `report` does from the journal where that has
+/// every case; where cases are left, the sweep has to go on.
 pub(super) fn demand_summary(directory: &Path) -> Result<(), BadInput> {
     demand_output_of_study(directory, SUMMARY).map_err(|error| {
-        let has_journal = directory.join(JOURNAL).is_file();
-        if !has_journal || Lock::is_held(directory) || study(directory).is_err() {
+        if !directory.join(JOURNAL).is_file() {
             return error;
         }
         let told = named(directory);
-        let reason = format!("has no {SUMMARY}; `seawall report {told}` makes it from the journal");
-        BadInput::of(directory, reason)
+        let makes = match cases_left(directory) {
+            _ if Lock::is_held(directory) => {
+                format!("; what works here makes it (`seawall status {told}` tells how far it is)")
+            }
+            None => return error,
+            Some([0, _]) => format!("; `seawall report {told}` makes it from the journal"),
+            Some([left, all]) => format!(
+                ", with {left} of {} left; `seawall sweep` or `run` of the same file goes on and makes it",
+                counted(all, "case")
+            ),
+        };
+        BadInput::of(directory, format!("has no {SUMMARY}{makes}"))
     })
+}
+
+/// How many cases of a study are left, those with a damaged file among them, and how many there are; `None` if the
+/// study cannot be made again.
+fn cases_left(directory: &Path) -> Option<[usize; 2]> {
+    let (study, _) = study(directory).ok()?;
+    let records = verify(directory, Some(&study)).ok()?.records;
+    let cases = &records[..study.cases.len()];
+    Some([cases.iter().filter(|case| case.is_none()).count(), cases.len()])
 }
 
 fn manifest_and_file(directory: &Path) -> anyhow::Result<(Manifest, SweepFile)> {
