@@ -176,3 +176,34 @@ fn each_look_is_one_line_for_a_program() {
         assert!(told.contains("report") && !told.contains("apart"), "{told}");
     }
 }
+
+/// The story: with the cases done and companions left, `status` told programs of no time to go, and people of none at all.
+#[test]
+fn companions_that_are_left_take_time() {
+    let text = TINY.replace("[0.4, 0.5]", "[0.4]").replace("[50, 250]", "[50]");
+    let desk = Desk::new(&text.replace("[grid]", "error_bars = \"triple\"\n[grid]"));
+    desk.sweep(&["--film", "none"]);
+    let status = |format: &[&str]| ended(0, &[&["status", &desk.dir], format].concat());
+    assert_eq!(status(&["--format", "json"]).json()["time_to_go_s"], 0.0);
+    assert!(!status(&[]).out.contains("to go"));
+    // Killed before the last three companions: their lines are missing.
+    let path = desk.out.join("journal.jsonl");
+    let journal = fs::read_to_string(&path).unwrap();
+    let companion = |line: &&str| !line.contains("\"header\"") && index(line) >= 2;
+    let companions: Vec<_> = journal.lines().filter(companion).collect();
+    assert_eq!(companions.len(), 4);
+    let kept = journal.lines().filter(|line| !companions[1..].contains(line));
+    fs::write(&path, kept.map(|line| format!("{line}\n")).collect::<String>()).unwrap();
+    let told = status(&["--format", "json"]).json();
+    assert_eq!((&told["left"], &told["companions_left"]), (&0.into(), &3.into()));
+    let seconds = told["time_to_go_s"].as_f64().unwrap();
+    assert!(seconds > 0.0, "{told}");
+    let text = status(&[]).out;
+    assert!(text.contains("\n1 of 4 companions for error bars done, about "), "{text}");
+}
+
+/// The place of a journal's line in the study.
+fn index(line: &str) -> u64 {
+    let line: serde_json::Value = serde_json::from_str(line).unwrap();
+    line["entry"]["case"]["index"].as_u64().unwrap()
+}

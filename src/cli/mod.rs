@@ -51,6 +51,7 @@ mod stored;
 mod stress;
 mod sweep;
 mod table;
+mod time_to_go;
 mod verify;
 mod warnings;
 mod watch;

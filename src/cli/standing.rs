@@ -9,20 +9,21 @@ use super::failed_cases::FailedCases;
 use super::failure::BadInput;
 use super::input::demand_output_of_study;
 use super::output::duration;
-use super::stored;
 use super::watch::View;
+use super::{stored, time_to_go};
 use crate::disk::names::JOURNAL;
 use crate::math::words::counted;
 use crate::results::{
     Closing, Derived, Fared, Header, Load, Lock, Manifest, RankInfo, header_of,
     read_journal_in_blocks,
 };
+use crate::study::Study;
 
 /// What the journal says.
 struct Known {
     header: Option<Header>,
-    /// How many cases there are, if points were added.
-    added: Option<usize>,
+    /// The study with all points that were added, if it can be made again and is not too large.
+    study: Option<Study>,
     /// The last line of each run, by place.
     latest: BTreeMap<usize, Fared>,
 }
@@ -31,18 +32,23 @@ impl Known {
     /// Reads no more than the journal's first line.
     fn of_header(directory: &Path) -> anyhow::Result<Known> {
         let header = header_of(directory)?;
-        Ok(Known { header, added: None, latest: BTreeMap::new() })
+        Ok(Known { header, study: None, latest: BTreeMap::new() })
     }
 
     /// Reads the whole journal.
-    fn of_journal(directory: &Path) -> anyhow::Result<Known> {
-        let (mut added, mut places) = (None, None);
-        if let Ok(Some(study)) = stored::in_rounds(directory) {
-            // Added points have moved the others' places. Finer numerics have their own ids.
-            added = Some(study.cases.len());
-            let index = study.runs().map(|case| (case.id, case.index));
-            places = Some(index.collect::<HashMap<_, _>>());
-        }
+    fn of_journal(directory: &Path, manifest: Option<&Manifest>) -> anyhow::Result<Known> {
+        let is_small = |manifest: &Manifest| manifest.cases + manifest.companions <= Closing::ABOVE;
+        let study = match stored::in_rounds(directory) {
+            Ok(Some(study)) => Some(study),
+            Ok(None) if manifest.is_some_and(is_small) => {
+                stored::file_and_study(directory).ok().map(|(_, study)| study)
+            }
+            _ => None,
+        };
+        // Added points have moved the others' places, and other error bars those of companions. Finer numerics have
+        // their own ids.
+        let index = |study: &Study| study.runs().map(|case| (case.id, case.index)).collect();
+        let places: Option<HashMap<_, _>> = study.as_ref().map(index);
         let place = |fared: Fared| match &places {
             Some(places) => Some((*places.get(&fared.id)?, fared)),
             None => Some((fared.index, fared)),
@@ -51,7 +57,7 @@ impl Known {
         let content = read_journal_in_blocks(directory, |block: Vec<Fared>| {
             latest.extend(block.into_iter().map(Fared::trimmed).filter_map(place));
         })?;
-        Ok(Known { header: content.header, added, latest })
+        Ok(Known { header: content.header, study, latest })
     }
 }
 
@@ -76,7 +82,7 @@ pub(super) struct Standing {
     ranks: usize,
     /// How many cases the ranks run at once.
     places: usize,
-    /// The time that finished cases have taken, seconds.
+    /// The time that finished cases and companions have taken, seconds.
     spent_s: f64,
 }
 
@@ -88,9 +94,11 @@ impl Standing {
         let companions = manifest.as_ref().map_or(0, |manifest| manifest.companions);
         // For a closed study without failures there is nothing more to report.
         let closed = Closing::read(directory).is_some_and(|closing| closing.failed == 0);
-        let known =
-            if closed { Known::of_header(directory)? } else { Known::of_journal(directory)? };
-        let Known { header, added, mut latest } = known;
+        let known = match closed {
+            true => Known::of_header(directory)?,
+            false => Known::of_journal(directory, manifest.as_ref())?,
+        };
+        let Known { header, study, mut latest } = known;
         let is_lost = header.is_none() && !latest.is_empty();
         let header = if is_lost { header_of(directory)? } else { header };
         let Some(header) = header else {
@@ -98,20 +106,29 @@ impl Standing {
                 "the sweep was stopped before it began, or the journal's first line is lost";
             return Err(BadInput::of(directory, reason).into());
         };
-        let cases = added.unwrap_or(header.cases);
+        let cases = study.as_ref().map_or(header.cases, |study| study.cases.len());
+        let session = manifest.as_ref().and_then(|manifest| manifest.sessions.last());
+        let ranks = session.map_or(&[][..], |session| &session.ranks);
+        let places = ranks.iter().map(RankInfo::places).sum();
         // Places after the cases are those of companions.
-        let companions_done = latest.split_off(&cases).len().min(companions);
+        let companions_done = latest.range(cases..).count().min(companions);
+        let spent_s = time_to_go::spent(&latest);
+        let to_go_s = match &study {
+            _ if closed => Some(0.0),
+            Some(study) => time_to_go::of_study(study, &latest, places),
+            None => {
+                let cases_left = cases.saturating_sub(latest.range(..cases).count());
+                let left = cases_left + companions - companions_done;
+                time_to_go::by_number(&latest, left, places)
+            }
+        };
+        latest.split_off(&cases);
         let records: Vec<_> = latest.into_values().collect();
         let failed: Vec<_> = records.iter().filter(|record| record.failure.is_some()).collect();
         let (done, companions_done) =
             if closed { (cases, companions) } else { (records.len(), companions_done) };
-        let session = manifest.as_ref().and_then(|manifest| manifest.sessions.last());
-        let ranks = session.map_or(&[][..], |session| &session.ranks);
-        let places = ranks.iter().map(RankInfo::places).sum();
         let running = Lock::is_held(directory);
         let load = Load::read(directory).filter(|_| running);
-        let spent_s = records.iter().map(|record| record.wall_time_s).sum();
-        let of_session = |_| if closed { Some(0.0) } else { time_to_go(&records, cases, places) };
         Ok(Standing {
             cases,
             done,
@@ -121,7 +138,7 @@ impl Standing {
             owed: Derived::is_owed(directory),
             cut: Derived::is_cut(directory),
             running,
-            to_go_s: session.and_then(of_session),
+            to_go_s: to_go_s.filter(|_| session.is_some()),
             failures: FailedCases::of(&failed),
             load: load.or_else(|| session.and_then(|session| session.load.clone())),
             ranks: ranks.len(),
@@ -162,15 +179,15 @@ impl Standing {
             self.failed,
             self.left()
         );
-        if let Some(seconds) = self.to_go_s.filter(|_| self.left() > 0) {
-            text.push_str(&format!(", about {} to go", duration(seconds)));
-        }
         if self.companions > 0 {
             let companions = counted(self.companions, "companion");
             text.push_str(&format!(
                 "\n{} of {companions} for error bars done",
                 self.companions_done
             ));
+        }
+        if let Some(seconds) = self.to_go_s.filter(|_| self.left() + self.companions_left() > 0) {
+            text.push_str(&format!(", about {} to go", duration(seconds)));
         }
         text.push('\n');
         text.extend(self.failures.iter().map(FailedCases::text));
@@ -218,11 +235,4 @@ impl Standing {
             places: self.places,
         }
     }
-}
-
-/// The mean time of a finished case, times those left, over the places of the last session.
-fn time_to_go(records: &[Fared], cases: usize, places: usize) -> Option<f64> {
-    let spent: f64 = records.iter().map(|record| record.wall_time_s).sum();
-    let mean = spent / (!records.is_empty()).then_some(records.len())? as f64;
-    Some(mean * cases.saturating_sub(records.len()) as f64 / places.max(1) as f64)
 }
