@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::common::{Desk, TINY, ended, with_gauge, write_file};
+use crate::common::{Desk, TINY, column, ended, with_gauge, write_file};
 use serde_json::Value;
 
 #[test]
@@ -271,6 +271,11 @@ fn a_case_is_held_against_measurements() {
     fs::write(&path, text).unwrap();
     let which = ended(2, &["compare", &desk.dir, record]);
     assert!(which.err.contains("--case: 8 cases fit; say which one by"), "{}", which.err);
+    // The story: the comma form, which `--film` takes, was told to be no case.
+    let keys = ["--case", "H/h=0.5,k=1e4,m=50", "--format", "json"];
+    let value = ended(0, &[&["compare", &desk.dir, record], &keys[..]].concat()).json();
+    let ids = column(&desk.out, "case_id");
+    assert!(ids.iter().any(|id| value["case_id"] == **id), "{value}");
     let out = desk.path().join("beside");
     let options = ["--case", &id[..9], "--out", out.to_str().unwrap()];
     let told = ended(0, &[&["compare", &desk.dir, record], &options[..]].concat());

@@ -41,7 +41,8 @@ pub(super) struct CompareArgs {
     /// case's `probes/` or `histories/`.
     #[arg(value_name = "SECOND|CSV")]
     second: PathBuf,
-    /// Which case is held against measurements: the start of its id, or values of swept keys.
+    /// Which case is held against measurements: the start of its id, or values of swept keys. Several keys stand with
+    /// commas between them, such as H/h=0.3,k=10, or each behind a `--case` of its own.
     #[arg(long, value_name = "CASE", num_args = 1)]
     case: Vec<String>,
     /// Hold measurements against the case from one time to another only, s.

@@ -33,8 +33,7 @@ pub(super) fn check(words: &[String], study: &Study) -> Result<Places, BadInput>
 pub(super) type Places = BTreeMap<String, usize>;
 
 fn named<'a>(study: &'a Study, word: &str) -> Result<&'a Case, BadInput> {
-    let words: Vec<_> = word.split(',').map(str::to_owned).collect();
-    let case = picked_case::the_case(study, &words);
+    let case = picked_case::the_case(study, &[word.to_owned()]);
     let case = case.and_then(|case| film::demand_small(case).map(|()| case));
     case.map_err(|error| BadInput(format!("--film {word}: {error}")))
 }

@@ -43,7 +43,7 @@ pub(super) fn the_one(
     words: &[String],
 ) -> Result<usize, BadInput> {
     let mut fitting: Vec<&Choice> = choices.iter().collect();
-    for word in words {
+    for word in words.iter().flat_map(|word| parts(word)) {
         if word.contains('=') {
             keep_with_value(&mut fitting, keys, fixed, word)?;
         } else {
@@ -62,6 +62,32 @@ pub(super) fn the_one(
     let cases = counted(fitting.len(), "case");
     let by = if open.is_empty() { "more digits of its id".to_owned() } else { open.join(", ") };
     Err(BadInput(format!("{cases} fit; say which one by {by}")))
+}
+
+/// The parts of a word such as `H/h=0.3,k=10`. A part begins behind a comma where a key or an id does:
+/// commas of lists, of text in quotes and within numbers divide nothing.
+fn parts(word: &str) -> Vec<&str> {
+    let (mut parts, mut from, mut depth, mut quoted) = (Vec::new(), 0, 0_i32, false);
+    for (at, sign) in word.char_indices() {
+        match sign {
+            '"' => quoted = !quoted,
+            '[' | '{' if !quoted => depth += 1,
+            ']' | '}' if !quoted => depth -= 1,
+            ',' if !quoted && depth == 0 && begins(&word[from..at], &word[at + 1..]) => {
+                parts.push(word[from..at].trim());
+                from = at + 1;
+            }
+            _ => {}
+        }
+    }
+    parts.push(word[from..].trim());
+    parts
+}
+
+/// Whether what follows a comma is another part than what stands before it.
+fn begins(before: &str, rest: &str) -> bool {
+    let next = rest.split(',').next().unwrap_or_default();
+    next.contains('=') || !before.contains('=')
 }
 
 fn keep_with_id(fitting: &mut Vec<&Choice>, word: &str) -> Result<(), BadInput> {
@@ -173,78 +199,4 @@ fn alike(value: &toml::Value, wanted: &toml::Value, share: f64) -> bool {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
-    use super::*;
-    use crate::study::SweepFile;
-
-    /// Two waves and two springs: the softer one makes its cases 0 and 2.
-    pub(in crate::cli) fn study() -> Study {
-        let text = "name = \"a\"\n[scene]\nwall = \"movable\"\nseawall_mass_kg_per_m = 50\n[grid]\n\
-            wave_height_ratio = [0.3, 0.5]\nspring_stiffness_n_per_m = [10, 21544.3469003188]";
-        Study::new(&SweepFile::read(text, &[]).unwrap()).unwrap()
-    }
-
-    fn pick(words: &[&str]) -> Result<usize, String> {
-        let words: Vec<_> = words.iter().map(|&word| word.to_owned()).collect();
-        the_case(&study(), &words).map(|case| case.index).map_err(|error| error.to_string())
-    }
-
-    /// The story: three waves had the same four digits. The message named all three, and none of them could be picked.
-    #[test]
-    fn a_value_that_is_there_to_the_last_digit_wins() {
-        let text = "name = \"a\"\n[grid]\nwave_height_ratio = [0.3, 0.30001, 0.3001]";
-        let study = Study::new(&SweepFile::read(text, &[]).unwrap()).unwrap();
-        let pick = |word: &str| the_case(&study, &[word.to_owned()]).map(|case| case.index);
-        let picked = ["H/h=0.3", "H/h=0.30001", "H/h=0.3001"].map(|word| pick(word).unwrap());
-        assert_eq!(picked, [0, 1, 2]);
-        assert!(pick("H/h=0.30005").is_err(), "near all three");
-    }
-
-    /// The story: at a fixed wall `k=3` was called mistyped, and the spring's key was proposed.
-    #[test]
-    fn keys_of_another_wall_are_told_with_the_wall_that_has_them() {
-        let told = |scene: &str, word: &str| {
-            let text =
-                format!("name = \"a\"\n[scene]\n{scene}\n[grid]\nwave_height_ratio = [0.2, 0.3]");
-            let study = Study::new(&SweepFile::read(&text, &[]).unwrap()).unwrap();
-            the_case(&study, &[word.to_owned()]).unwrap_err().to_string()
-        };
-        let key = "spring_stiffness_n_per_m";
-        let whose = crate::scene::belongs(key) + "; wall is \"fixed\" in every case here";
-        assert_eq!(told("", "k=3"), format!("k=3: {key} {whose}"));
-        let long = format!("{key}=3");
-        assert_eq!(told("wall = \"fixed\"", &long), format!("{long}: {key} {whose}"));
-        let stroke = told("", "wave_period_s=1");
-        assert!(stroke.contains("belongs to paddle = \"wave-train\"; paddle is"), "{stroke}");
-        assert!(told("", "colour=3").starts_with("colour: unknown key"));
-    }
-
-    #[test]
-    fn words_pick_a_case() {
-        let id = study().cases[2].id.to_string();
-        assert_eq!(pick(&["wave_height_ratio=0.5", "spring_stiffness_n_per_m=21540"]), Ok(3));
-        assert_eq!(pick(&[&id]), Ok(2));
-        assert_eq!(pick(&[&id[..6]]), Ok(2));
-        let told = pick(&["wave_height_ratio=0.5"]).unwrap_err();
-        assert!(
-            told.starts_with("2 cases fit; say which one by spring_stiffness_n_per_m"),
-            "{told}"
-        );
-        let told = pick(&["stiffness=10"]).unwrap_err();
-        assert_eq!(told, "stiffness: unknown key; did you mean spring_stiffness_n_per_m?");
-        assert_eq!(pick(&["H/h=0.5", "k=2.154×10⁴"]), Ok(3), "as tables print it");
-        assert_eq!(pick(&["m=50", "k=10", "H/h=0.3", "kernel=wendland-c2"]), Ok(0));
-        let told = pick(&["m=60", "k=10"]).unwrap_err();
-        assert_eq!(told, "m=60: is 50 in every case of this study");
-        let told = pick(&["k=10"]).unwrap_err();
-        assert_eq!(told, "2 cases fit; say which one by wave_height_ratio (0.3, 0.5)");
-        let told = pick(&["H/h=0.5"]).unwrap_err();
-        assert!(told.ends_with("(10, 21544.3469003188)"), "{told}");
-        let told = pick(&["colour=10"]).unwrap_err();
-        let swept = "wave_height_ratio, spring_stiffness_n_per_m";
-        assert_eq!(told, format!("colour: unknown key; this study sweeps {swept}"));
-        let told = pick(&["wave_height_ratio=0.4"]).unwrap_err();
-        assert_eq!(told, "wave_height_ratio=0.4: no such case; there is 0.3, 0.5");
-        assert!(pick(&["0123456789abcdef"]).is_err());
-    }
-}
+pub(super) mod tests;
