@@ -46,6 +46,11 @@ fn a_condition_is_met_by_the_cases_of_the_summary_that_meet_it() {
         assert_eq!(end["basis"], "bend");
     }
 
+    // The story: "how far off it may be" was told of ranges that no error bar had gone into.
+    let text = ended(0, &["find", &desk.dir, &format!("first_force_max < {limit}")]).out;
+    let bare = "not before, not after: the range of the interpolation\n\
+                alone, as the cases have no error bars of these numbers\n";
+    assert!(text.ends_with(bare), "{text}");
     let text = ended(0, &["find", &desk.dir, "first_force_max > 1"]).out;
     assert!(text.starts_with("5 of 5 cases meet first_force_max > 1"), "{text}");
 
@@ -121,4 +126,19 @@ fn boundaries_keep_to_the_grid_and_say_what_the_condition_does_not() {
     assert!(
         told("X* = 1").ends_with("= holds to four digits; < and > tell where a value is crossed\n")
     );
+}
+
+#[test]
+fn ranges_with_error_bars_tell_how_far_off_a_boundary_may_be() {
+    let text = TINY.replace("[0.4, 0.5]", "[0.4]").replace("[50, 250]", "[50]");
+    let desk = Desk::new(&text.replace("[grid]", "error_bars = \"pair\"\n[grid]"));
+    desk.sweep(&["--film", "none"]);
+    let forces = column(&desk.out, "first_force_max");
+    let limit: f64 = forces.iter().map(|cell| cell.parse::<f64>().unwrap() / 2.0).sum();
+    let told = ended(0, &["find", &desk.dir, &format!("first_force_max < {limit}")]).out;
+    assert!(told.contains("not before, not after: how far off it may be\n"), "{told}");
+    let raw = column(&desk.out, "force_max_raw");
+    let limit: f64 = raw.iter().map(|cell| cell.parse::<f64>().unwrap() / 2.0).sum();
+    let told = ended(0, &["find", &desk.dir, &format!("force_max_raw < {limit}")]).out;
+    assert!(told.contains("as the cases have no error bars of these numbers\n"), "{told}");
 }

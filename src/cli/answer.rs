@@ -19,6 +19,11 @@ const ROWS: usize = 30;
 
 /// The text below the boundaries.
 const LEGEND: &str = "met: on which side of it; not before, not after: how far off it may be\n";
+/// The same where no error bar went into their ranges.
+const LEGEND_WITHOUT_BARS: &str = "\
+met: on which side of it; not before, not after: the range of the interpolation
+alone, as the cases have no error bars of these numbers
+";
 
 /// What was found in a study.
 pub(super) struct Answer<'a> {
@@ -157,7 +162,15 @@ impl<'a> Answer<'a> {
             let note: Vec<_> = note.into_iter().filter(|word| !word.is_empty()).collect();
             table.row([axis, format!("{side} {at}"), from, to, note.join("  ")]);
         }
-        table.render() + &more + LEGEND
+        let is_bare = |one: &&Boundary| matches!(one.basis, Basis::Bend | Basis::TwoCases);
+        let bare = found.iter().any(is_bare) && !self.has_bars();
+        table.render() + &more + if bare { LEGEND_WITHOUT_BARS } else { LEGEND }
+    }
+
+    /// Whether a number that the condition asks for has an error bar in any case.
+    fn has_bars(&self) -> bool {
+        let mut subjects = self.found.condition.0.iter().map(|comparison| &comparison.subject);
+        subjects.any(|one| (0..self.data.rows.len()).any(|row| one.bar(row).is_some()))
     }
 
     /// An end of a boundary's range. Beyond the study's own values it would be a guess.
