@@ -142,3 +142,23 @@ fn ranges_with_error_bars_tell_how_far_off_a_boundary_may_be() {
     let told = ended(0, &["find", &desk.dir, &format!("force_max_raw < {limit}")]).out;
     assert!(told.contains("as the cases have no error bars of these numbers\n"), "{told}");
 }
+
+/// The story: "above 0.2406 m" was told of F*, which is over another depth at the wall in the next case.
+#[test]
+fn boundaries_between_depths_say_that_the_unit_changes() {
+    let scene = TINY
+        .split("[grid]")
+        .next()
+        .unwrap()
+        .replace("wall = \"movable\"", "wave_height_ratio = 0.4");
+    let desk = Desk::new(&format!("{scene}[grid]\nstill_water_depth_m = [0.2, 0.25]\n"));
+    desk.sweep(&[]);
+    let forces = column(&desk.out, "force_max");
+    let forces: Vec<f64> = forces.iter().map(|cell| cell.parse().unwrap()).collect();
+    let find = |condition: &str| ended(0, &["find", &desk.dir, condition]).out;
+    let note = "numbers with a star are over each case's own depth";
+    let told = find(&format!("force_max < {}", 0.5 * (forces[0] + forces[1])));
+    assert!(told.contains(note), "{forces:?}: {told}");
+    let told = find("still_water_depth_m < 0.22");
+    assert!(!told.contains(note), "{told}");
+}

@@ -7,10 +7,11 @@ use super::overview;
 use super::table::Table;
 use crate::math::lists::{different, ends};
 use crate::math::words::counted;
-use crate::quantities::heading;
 use crate::quantities::summary::{CASE_ID, DOUBTFUL};
+use crate::quantities::{heading, named};
 use crate::report::find::{Basis, Boundary, Found, Number, Verdict};
 use crate::report::load::Loaded;
+use crate::report::newtons::rescales;
 use crate::report::study::Key;
 use crate::report::{as_typed_to, digits_apart};
 
@@ -23,6 +24,12 @@ const LEGEND: &str = "met: on which side of it; not before, not after: how far o
 const LEGEND_WITHOUT_BARS: &str = "\
 met: on which side of it; not before, not after: the range of the interpolation
 alone, as the cases have no error bars of these numbers
+";
+
+/// Below boundaries between cases whose numbers are over different units.
+const RESCALED: &str = "\
+numbers with a star are over each case's own depth: between two depths such a
+number may grow while the load in newtons falls
 ";
 
 /// What was found in a study.
@@ -164,7 +171,16 @@ impl<'a> Answer<'a> {
         }
         let is_bare = |one: &&Boundary| matches!(one.basis, Basis::Bend | Basis::TwoCases);
         let bare = found.iter().any(is_bare) && !self.has_bars();
-        table.render() + &more + if bare { LEGEND_WITHOUT_BARS } else { LEGEND }
+        let rescaled = found.iter().any(|one| rescales(&self.data.keys[one.key].name));
+        let legend = if bare { LEGEND_WITHOUT_BARS } else { LEGEND };
+        let note = if rescaled && self.asks_for_ratios() { RESCALED } else { "" };
+        table.render() + &more + legend + note
+    }
+
+    /// Whether the condition asks for numbers over the water's depth or weight.
+    fn asks_for_ratios(&self) -> bool {
+        let mut subjects = self.found.condition.0.iter().map(|comparison| &comparison.subject.name);
+        subjects.any(|name| named(name).is_some_and(|column| column.unit.is_ratio()))
     }
 
     /// Whether a number that the condition asks for has an error bar in any case.

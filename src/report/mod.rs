@@ -23,7 +23,7 @@ mod goda;
 mod grid;
 pub mod load;
 mod markup;
-mod newtons;
+pub mod newtons;
 mod number;
 mod omitted;
 mod page;

@@ -15,9 +15,14 @@ const SCALING: [&str; 6] = [
     "tank_length_m",
 ];
 
+/// Whether a swept key changes what starred numbers are over.
+pub fn rescales(key: &str) -> bool {
+    SCALING.contains(&key)
+}
+
 /// Whether cases of a study may have F* over different units.
 pub fn differ(data: &Loaded) -> bool {
-    data.keys.iter().any(|key| SCALING.contains(&key.name.as_str()))
+    data.keys.iter().any(|key| rescales(&key.name))
 }
 
 /// What F* of each row is over, N/m; `None` where all have the same unit, or the files do not tell
