@@ -172,6 +172,15 @@ impl Froude {
         Ok(tables.into_iter().filter(|table| !table.rows.is_empty()).collect())
     }
 
+    /// The table of the maxima as the page shows it.
+    pub fn for_page(maxima: &Table) -> Table {
+        let bar = |column: &Column| {
+            let bar = ERRORS.iter().find(|error| column.bar == Some(error.column.name));
+            bar.map(|error| error.name)
+        };
+        maxima.joined(SCALED.iter().map(|one| (one.name, bar(one.column), one.column.bound)))
+    }
+
     fn number(self, scaled: &Scaled, row: &Row, water: &Water) -> Option<f64> {
         let value = row.number(scaled.column)?;
         Some(self.grown(value * (scaled.unit)(water), scaled.power))

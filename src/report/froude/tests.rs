@@ -23,6 +23,7 @@ fn still_water_has_the_hydrostatics_of_the_prototype() {
     let row = row.with(&crate::quantities::summary::STATUS, "ok").with(&DOUBTFUL, true);
     // The story: the prototype's numbers had no error bars, and nothing showed doubts.
     let row = row.with(&FORCE_MAX_ERROR, 0.1).with(&OVERTOPPING_VOLUME_ERROR, 0.001);
+    let row = row.with(&DISPLACEMENT_MAX, 0.5).with(&DISPLACEMENT_TRUNCATED, true);
     let data = Loaded { rows: vec![row], ..Loaded::default() }.made_from(file, &[]);
     let tables = Froude(20.0).tables(&data).unwrap();
     let [table] = &tables[..] else { panic!("{tables:?}") };
@@ -46,5 +47,14 @@ fn still_water_has_the_hydrostatics_of_the_prototype() {
         assert!((value(name) / exact - 1.0).abs() < 1e-5, "{name}: {}", value(name));
     }
     assert_eq!(table.header.iter().zip(&table.rows[0]).next_back().unwrap().1, "true");
+    // The story: on the page bars stood in columns of their own, and a lower bound looked like a number.
+    let page = Froude::for_page(table);
+    let shown = |name: &str| {
+        let at = page.header.iter().position(|column| column == name);
+        at.map_or("", |at| &page.rows[0][at])
+    };
+    assert_eq!(shown("force_max_kn_per_m"), crate::report::number::with_error(78.48, 7.848));
+    assert_eq!(shown("displacement_max_m"), "≥ 2");
+    assert_eq!([shown("force_max_error_kn_per_m"), shown("displacement_truncated")], [""; 2]);
     assert!(Froude(20.0).tables(&Loaded::default()).unwrap().is_empty());
 }

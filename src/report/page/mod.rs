@@ -16,6 +16,7 @@ use std::fmt::Write as _;
 
 use self::words::unbroken;
 use super::error::ReportError;
+use super::froude::Froude;
 use super::grid::grid;
 use super::load::Loaded;
 use super::markup::escape;
@@ -121,7 +122,11 @@ fn tabled(body: &mut String, data: &Loaded, tables: &[Table]) {
             "health" => format!("<p>{}</p>", health_line(data)),
             _ => String::new(),
         };
-        let shown = if name == "readings" { across(table) } else { table.for_page() };
+        let shown = match name {
+            "readings" => across(table),
+            "prototype" => Froude::for_page(table),
+            _ => table.for_page(),
+        };
         section(body, &table.title, &(before + &grid(&shown)));
     }
 }
@@ -134,7 +139,7 @@ const BARS: &str = "<p>± is the estimated error bar, where bars were asked for.
 /// The text before the prototype's table.
 const PROTOTYPE: &str = "<p>By Froude's law, with the gravity and the density of the tank: lengths grow by \
     the scale, times by its root, pressures by the scale, forces and volumes per metre by its square, moments \
-    per metre by its cube, discharges per metre by its power of 1.5. Viscosity, air and the water's compression do not scale so.</p>";
+    per metre by its cube, discharges per metre by its power of 1.5. A case's own words are those of the tank. Viscosity, air and the water's compression do not scale so.</p>";
 
 /// The largest gaps of all finished cases. The force's gap counts only where the force is largest:
 /// elsewhere it touches no quoted number.

@@ -15,10 +15,20 @@ impl Table {
     /// The table without empty columns, with bars beside values (`2.41 ± 0.03`), with marks for
     /// bounds (`≥ 2.41 − 0.03`), and with numbers cut to a few digits.
     pub fn for_page(&self) -> Table {
+        let columns = self.header.iter().filter_map(|name| named(name));
+        self.joined(columns.map(|column| (column.name, column.bar, column.bound)))
+    }
+
+    /// The same for a table whose columns have names of their own: each value's name, and those of its
+    /// bar and of its bound's flag.
+    pub fn joined<'n>(
+        &self,
+        values: impl Iterator<Item = (&'n str, Option<&'n str>, Option<&'n str>)>,
+    ) -> Table {
         let mut table = self.clone();
         table.judge();
-        for column in self.header.iter().filter_map(|name| named(name)) {
-            table.join(column);
+        for (name, bar, bound) in values {
+            table.join(name, bar, bound);
         }
         let told = |at: usize| has_cells(&table, at) && !table.is_alike(at);
         let kept: Vec<_> = (0..table.header.len()).filter(|at| told(*at)).collect();
@@ -46,11 +56,11 @@ impl Table {
     }
 
     /// Moves the error bar and the bound's flag into the value's cell, and empties theirs.
-    fn join(&mut self, column: &Column) {
+    fn join(&mut self, name: &str, bar: Option<&str>, bound: Option<&str>) {
         let place =
             |name: Option<&str>| self.header.iter().position(|known| Some(&**known) == name);
-        let Some(value) = place(Some(column.name)) else { return };
-        let (error, flag) = (place(column.bar), place(column.bound));
+        let Some(value) = place(Some(name)) else { return };
+        let (error, flag) = (place(bar), place(bound));
         for row in &mut self.rows {
             let mut take = |at: Option<usize>| at.map(|at| std::mem::take(&mut row[at]));
             let bar = take(error).and_then(|cell| cell.parse().ok());
@@ -58,7 +68,7 @@ impl Table {
             let Ok(read) = row[value].parse() else { continue };
             row[value] = match (is_bound, bar) {
                 (true, Some(bar)) => number::bound_with_error(read, bar),
-                (true, None) => format!("≥ {}", shown_cell(column.name, &row[value])),
+                (true, None) => format!("≥ {}", shown_cell(name, &row[value])),
                 (false, Some(bar)) => number::with_error(read, bar),
                 (false, None) => continue,
             };
