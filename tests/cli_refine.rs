@@ -157,3 +157,22 @@ fn whole_numbers_get_whole_numbers_between_and_no_more_is_told_than_is_known() {
     let told = ended(0, &["sweep", &file, "--out", out.to_str().unwrap()]).out;
     assert!(told.contains("in all but 1 interval, of which no third point tells"), "{told}");
 }
+
+/// The story: points were spent on the steps of a volume that counts whole particles, or none were added between them.
+#[test]
+fn volumes_are_not_refined_below_a_few_particles_without_a_word() {
+    let root = tempfile::tempdir().unwrap();
+    let told = |to: f64| {
+        let text = format!(
+            "name = \"a\"\n[scene]\nbehind = \"outflow\"\ncrest_width_m = 0.1\n[numerics]\nparticle_spacing_m = 0.02\n\
+             [grid]\ncrest_freeboard_m = [0.04, 0.08, 0.12]\n\
+             refine = {{ quantity = \"overtopping_volume_m2\", to = {to} }}\n"
+        );
+        let file = write_file(root.path(), &text);
+        let checked = ended(0, &["check", &file, "--format", "json"]).json();
+        checked["warnings"]
+            .to_string()
+            .contains("a volume counts whole particles, here of up to 0.0004 m²")
+    };
+    assert_eq!([0.0005, 0.0015, 0.0017].map(told), [true, true, false]);
+}

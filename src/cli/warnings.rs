@@ -13,6 +13,7 @@ use crate::keys::named;
 use crate::math::decimal::significant;
 use crate::math::tally::Tally;
 use crate::math::words::counted;
+use crate::quantities::Unit;
 use crate::scene::{SeawallScene, odd_by_key};
 use crate::simulation::{Cost, Limits, cost};
 use crate::study::{Case, Study, Unread};
@@ -33,7 +34,8 @@ pub(super) fn warnings(study: &Study, time: (f64, usize)) -> Vec<String> {
     let odd = Tally::of(&study.cases, |case| odd_by_key(&case.config));
     let odd = odd.lines(|cases| format!(" (in {})", counted(cases, "case"))).into_iter();
     let odd = odd.chain(unread(study)).chain(unaimed(study)).chain(without_bars(study));
-    odd.chain(unbarred(study)).chain(long(study, time)).chain(limited(study)).collect()
+    let odd = odd.chain(unbarred(study)).chain(refined_to_steps(study));
+    odd.chain(long(study, time)).chain(limited(study)).collect()
 }
 
 /// Keys that some cases do not read, a line per key.
@@ -65,6 +67,25 @@ fn without_bars(study: &Study) -> Option<String> {
          numerics.particle_spacing_m helps",
         counted(cases, "case")
     ))
+}
+
+/// A volume is refined until it is known better than a few particles tell it.
+const PARTICLES: f64 = 4.0;
+
+/// Volumes over a crest count whole particles: below some of them a curve has steps, and points are spent on these.
+fn refined_to_steps(study: &Study) -> Option<String> {
+    let refine = study.refine.as_ref()?;
+    let asked = refine.column().unit == Unit::SquareMetres;
+    let spacing = |case: &Case| case.config.numerics.particle_spacing_m;
+    let area = study.cases.iter().map(spacing).fold(0.0, f64::max).powi(2);
+    (asked && refine.to < PARTICLES * area).then(|| {
+        format!(
+            "grid.refine.to = {}: a volume counts whole particles, here of up to {} m²; with less than {PARTICLES} of them \
+             points are spent on steps",
+            refine.to,
+            significant(area, 2)
+        )
+    })
 }
 
 /// How many cases ask for error bars but are no seawalls: their companions run for nothing.
