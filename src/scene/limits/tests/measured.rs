@@ -1,13 +1,15 @@
 use super::*;
 
+/// Whether a limit with these words is told.
+fn told(scene: &str, numerics: &str, words: &str) -> bool {
+    limits(&CaseConfig::of(scene, numerics)).iter().any(|limit| limit.contains(words))
+}
+
 /// The story: still water of `huang2019` with another boundary grew restless, and "3.3 % off" was told. Steep waves at
 /// walls of 72 degrees passed without a word, and so did high ones over a crest. Steps of 1 ms were called too long:
 /// only another key was looked at.
 #[test]
 fn what_was_measured_of_presets_walls_crests_and_steps_is_told() {
-    let told = |scene: &str, numerics: &str, words: &str| {
-        limits(&CaseConfig::of(scene, numerics)).iter().any(|limit| limit.contains(words))
-    };
     let still = |numerics: &str| {
         let still = "kind = \"hydrostatic\"\nend_time_s = 5";
         ["3.3 %", "grows restless"].map(|words| told(still, numerics, words))
@@ -46,23 +48,19 @@ fn what_was_measured_of_presets_walls_crests_and_steps_is_told() {
 /// The story: a crest half a spacing over still water was taken without a word, and the water moved by itself.
 #[test]
 fn a_crest_near_the_still_water_is_told() {
-    let told = |freeboard: f64| {
+    let near = |freeboard: f64| {
         let scene = format!(
             "tank_length_m = 2\nbehind = \"outflow\"\ncrest_freeboard_m = {freeboard}\ncrest_width_m = 0.2"
         );
-        let config = CaseConfig::of(&scene, "particle_spacing_m = 0.02");
-        limits(&config).iter().any(|limit| limit.contains("one and a half particle spacings"))
+        told(&scene, "particle_spacing_m = 0.02", "one and a half particle spacings")
     };
-    assert_eq!([0.01, 0.029, 0.03, 0.1].map(told), [true, true, false, false]);
+    assert_eq!([0.01, 0.029, 0.03, 0.1].map(near), [true, true, false, false]);
 }
 
 /// The story: walls on stiff springs rang in incompressible water, and the run said that forces hold. Bars that were set
 /// for the other scheme were shown without a word, and so were those of narrow supports.
 #[test]
 fn what_bars_and_readings_were_not_set_for_is_told() {
-    let told = |scene: &str, numerics: &str, words: &str| {
-        limits(&CaseConfig::of(scene, numerics)).iter().any(|limit| limit.contains(words))
-    };
     let isph = "scheme = \"isph\"";
     let rings = |wave: f64, stiffness: f64, numerics: &str| {
         let wall = "wall = \"movable\"\nseawall_mass_kg_per_m = 50";
