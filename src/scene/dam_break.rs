@@ -48,13 +48,23 @@ section! {
 
 /// Default end of a run, in √(H/g).
 const END: f64 = 8.0;
+/// From the column to the wall it is at least this far, over H, where the front has not come back
+/// for long by then.
+const FAR_WALL: f64 = 3.3;
 
 impl DamBreakScene {
     /// Whether it runs on until the front comes back from the wall and plunges onto the water
     /// behind it, or until nothing is left of the column.
     pub(super) fn plunges(&self) -> bool {
+        let nearer = FAR_WALL * self.column_height_m + self.column_length_m - self.tank_length_m;
+        let earlier = nearer.max(0.0) / self.front_speed();
         // An end in a file may be rounded.
-        self.frame().end_time > 1.001 * self.usual_end() * self.slenderness()
+        self.frame().end_time > 1.001 * self.usual_end() * self.slenderness() - earlier
+    }
+
+    /// 2√(gH), m/s.
+    fn front_speed(&self) -> f64 {
+        2.0 * (self.gravity_m_per_s2 * self.column_height_m).sqrt()
     }
 
     /// Whether the column stands between both walls, so that nothing of it is released.
@@ -152,9 +162,6 @@ impl SceneOfKind for DamBreakScene {
             bed_beyond_wall: numerics.support_radius_ratio * numerics.particle_spacing_m,
             ..Filling::of(lattice, points, frame.density)
         };
-        Tank {
-            front_speed: 2.0 * (frame.gravity * frame.depth).sqrt(),
-            ..filling.tank(frame, numerics, path)
-        }
+        Tank { front_speed: self.front_speed(), ..filling.tank(frame, numerics, path) }
     }
 }

@@ -87,7 +87,7 @@ pub const SUITED: &[Suited] = &[
     Suited {
         presets: DEFAULT,
         scenes: "solitary waves above H/h = 0.7 at upright walls over beds no steeper than 1:2, and dam breaks of more \
-                 than 8 √(H/g) or 4 L/√(gH)",
+                 than 8 √(H/g) or 4 L/√(gH), less where the wall is nearer than 3.3 H",
         keys: &[("surface_relief", "true")],
         why: "Single particles beside a cavity would keep it open.",
         holds: |a| {

@@ -38,13 +38,15 @@ impl HealthBounds {
         // water's speed over c0.
         let fall = (2.0 * head * (1.0 + 4.0 * tank.wave_height_ratio)).sqrt();
         let fall = fall.max(tank.other_speed);
-        let speed = 2.0 * fall.max(tank.front_speed);
+        // Fronts that meet make jets of up to 2.7 times their speed.
+        let jet = 2.0 * tank.front_speed;
+        let speed = 2.0 * fall.max(jet);
         let splashes = tank.front_speed > 0.0;
         let falls_free = tank.wave_height_ratio > FALLS_FREE;
         HealthBounds {
             speed,
             density_change: 20.0 * head / (tank.sound_speed * tank.sound_speed)
-                + 2.0 * tank.front_speed.max(tank.other_speed) / tank.sound_speed,
+                + 2.0 * jet.max(tank.other_speed) / tank.sound_speed,
             surface_density: tank
                 .water
                 .state_equation()
