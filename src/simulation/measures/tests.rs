@@ -1,3 +1,5 @@
+mod smooth;
+
 use super::*;
 
 const WATER: Acoustics =
