@@ -276,3 +276,18 @@ fn error_bars_that_nobody_can_make_are_told_with_the_reason() {
     let why = "error_bars: 1 case will have none, as only scenes of seawalls have them";
     assert!(told.contains(why), "{told}");
 }
+
+/// The story: `--quiet` prints nothing but errors. Of failed cases it printed nothing either.
+#[test]
+fn failed_cases_are_told_whatever_is_left_out() {
+    let limits = |file: &str| format!("{file}\n[limits]\nsteps = 3\n");
+    let desk = Desk::new(&limits(TINY));
+    let told = ended(1, &["sweep", &desk.file, "--out", &desk.dir, "--film", "none", "--quiet"]);
+    assert_eq!(told.out, "");
+    assert_eq!(told.err.lines().count(), 1, "{}", told.err);
+    assert!(told.err.starts_with("error: 8 cases failed, see "), "{}", told.err);
+    let scene = TINY.split("[grid]").next().unwrap().replace("wall = \"movable\"\n", "");
+    let scene = Desk::new(&limits(&scene));
+    let told = ended(1, &["run", &scene.file, "--out", &scene.dir, "--quiet"]).err;
+    assert!(told.starts_with("error: case ") && told.contains(" failed: over-limit"), "{told}");
+}

@@ -79,6 +79,13 @@ impl Output {
         }
     }
 
+    /// Prints a failure that stands in a result, where results are left out.
+    pub(super) fn failure(&self, text: impl std::fmt::Display) {
+        if self.quiet && !self.is_json() {
+            let _ = writeln!(std::io::stderr(), "error: {}", shown(&text.to_string()));
+        }
+    }
+
     pub(super) fn progress_style(&self) -> ProgressStyle {
         if self.quiet {
             ProgressStyle::Quiet

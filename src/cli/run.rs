@@ -124,6 +124,9 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
         let text = format!("{told}files: {}\n", named(done.directory.path()));
         let value = in_metres(record, config, done.in_full(&job.study, record));
         output.result(&text, &value)?;
+        if record.failure.is_some() {
+            output.failure(told.trim_end());
+        }
         if let Some(lost) = lost_bars::of_case(&job.study, record, done.directory.records()) {
             output.note(lost);
         }

@@ -18,8 +18,10 @@ use super::job::{Done, Job, Retry};
 use super::options::{EndingArgs, KeepArgs};
 use super::output::{Output, json_paths};
 use super::{INTERRUPTED, SUCCESS, check, films, max_error, notices, options, overview, warnings};
-use crate::disk::names::PAGE;
+use crate::disk::names::{PAGE, SUMMARY};
 use crate::execute::{Crew, Ending, Interrupt, Keeping, Launcher, Setup, SphRunner, mpi, threads};
+use crate::keys::named;
+use crate::math::words::counted;
 use crate::report::ReportError;
 use crate::results::{Derived, OpenMode, write_all_histories};
 
@@ -238,5 +240,9 @@ fn told_at_end(
     let mut value = if output.is_json() { done.json(job, Some(&report))? } else { json!({}) };
     value["films"] = json!(json_paths(&films::pages(done.directory.path())));
     goal.report(&job.study, done, (&mut text, &mut value))?;
+    if let failed @ 1.. = done.failed() {
+        let why = named(&done.directory.path().join(SUMMARY));
+        output.failure(format_args!("{} failed, see {why}", counted(failed, "case")));
+    }
     Ok((text, value))
 }
