@@ -32,8 +32,8 @@ pub(super) const INCOMPRESSIBLE: &[Limit] = &[
     ),
     (
         |case| !case.weakly && case.wave > 0.0 && case.numerics.error_bars != ErrorBars::None,
-        "scheme = \"isph\" with error bars: they were set for scheme = \"wcsph\" and are too narrow; at H/h of 0.1 to 0.6 and 8 to \
-         16 mm the truth was within 29 of 39 of F*, 17 of 39 of R*, 33 of 39 of M* and 13 of 27 of X*",
+        "scheme = \"isph\" with error bars: they were set for scheme = \"wcsph\" and are too narrow; at H/h of 0.2 to 0.6 and \
+         10 mm the truth was within 14 of 20 of F*, 9 of 20 of R*, 14 of 20 of M* and 7 of 15 of X*",
     ),
     (
         |case| !case.weakly && case.rows.is_some_and(|rows| rows > 32.0),
