@@ -10,11 +10,13 @@ use std::collections::VecDeque;
 
 use serde::{Deserialize, Serialize};
 
+use crate::math::local_fit::LocalFit;
+
 /// The fit spans this time, over √(h/g). It takes out what swings within a third of that. Of the
 /// largest force of a fixed wall at H/h = 0.6 it takes 0.3 %.
 const SPAN: f64 = 2.0;
-/// Degree of the polynomial.
-const DEGREE: usize = 4;
+/// Memory reserved for this many samples.
+const ROOM: usize = 256;
 /// A fit has at least this many samples.
 const LEAST: usize = 9;
 
@@ -41,8 +43,8 @@ impl Steady {
         Steady {
             lag: 0.5 * SPAN * unit_time,
             columns,
-            times: VecDeque::new(),
-            values: VecDeque::new(),
+            times: VecDeque::with_capacity(ROOM),
+            values: VecDeque::with_capacity(ROOM * columns),
             told: 0,
             complete: false,
             fitted: vec![0.0; columns],
@@ -85,26 +87,35 @@ impl Steady {
             self.values.drain(..self.columns);
             self.told -= 1;
         }
-        let near = |&time: &f64| (time - at).abs() < self.lag;
-        let before = self.times.iter().position(near).unwrap_or(self.told);
-        let count = self.times.iter().skip(before).take_while(|time| near(time)).count();
-        let whole = before > 0 && before + count < self.times.len() && count >= LEAST;
-        let (from, weights) = if smooth && whole {
-            let along = self.times.iter().skip(before).take(count);
-            (before, weights(&along.map(|time| (time - at) / self.lag).collect::<Vec<_>>()))
-        } else {
-            (self.told, vec![1.0])
-        };
         self.fitted.fill(0.0);
-        let columns = self.columns;
-        let samples = self.values.make_contiguous()[from * columns..].chunks_exact(columns);
-        for (weight, sample) in weights.iter().zip(samples) {
+        let from = self.told * self.columns;
+        if !(smooth && self.fit(at)) {
+            let raw = self.values.range(from..from + self.columns);
+            self.fitted.iter_mut().zip(raw).for_each(|(fitted, raw)| *fitted = *raw);
+        }
+        self.told += 1;
+        Some((at, &self.fitted))
+    }
+
+    /// Fits polynomials around a time, s, if there are samples enough on both sides.
+    fn fit(&mut self, at: f64) -> bool {
+        let near = |time: &f64| (time - at).abs() < self.lag;
+        let before = self.times.iter().take_while(|time| !near(time)).count();
+        let count = self.times.iter().skip(before).take_while(|time| near(time)).count();
+        if before == 0 || before + count == self.times.len() || count < LEAST {
+            return false;
+        }
+        let times = self.times.iter().skip(before).take(count);
+        let places = times.map(|time| (time - at) / self.lag);
+        let fit = LocalFit::on(places.clone());
+        let samples = self.values.make_contiguous().chunks_exact(self.columns).skip(before);
+        for (place, sample) in places.zip(samples) {
+            let weight = fit.weight(place);
             for (sum, value) in self.fitted.iter_mut().zip(sample) {
                 *sum += weight * value;
             }
         }
-        self.told += 1;
-        Some((at, &self.fitted))
+        true
     }
 }
 
@@ -112,31 +123,6 @@ impl Steady {
 /// `unit_time` is √(h/g), s.
 pub fn is_stiff(period: f64, unit_time: f64) -> bool {
     period < 0.5 * SPAN * unit_time
-}
-
-/// The weights of samples at these places, between -1 and 1, whose sum is the value at 0 of the
-/// polynomial with the least Σ (1 - s²)² δ². Polynomials that are orthogonal on the places come from
-/// a recurrence (Forsythe 1957).
-fn weights(places: &[f64]) -> Vec<f64> {
-    let counts: Vec<f64> = places.iter().map(|s| (1.0 - s * s).powi(2)).collect();
-    let sum = |of: &dyn Fn(usize) -> f64| (0..places.len()).map(|i| counts[i] * of(i)).sum::<f64>();
-    let mut all = vec![0.0; places.len()];
-    // The polynomial and the one before it, at the places and at 0.
-    let (mut now, mut last) = (vec![1.0; places.len()], vec![0.0; places.len()]);
-    let [mut now_here, mut last_here, mut last_norm] = [1.0, 0.0, f64::INFINITY];
-    for _ in 0..=DEGREE {
-        let norm = sum(&|i| now[i] * now[i]);
-        let middle = sum(&|i| places[i] * now[i] * now[i]) / norm;
-        let share = norm / last_norm;
-        for (i, weight) in all.iter_mut().enumerate() {
-            *weight += counts[i] * now[i] * now_here / norm;
-            let next = (places[i] - middle) * now[i] - share * last[i];
-            (last[i], now[i]) = (now[i], next);
-        }
-        let next = -middle * now_here - share * last_here;
-        (last_here, now_here, last_norm) = (now_here, next, norm);
-    }
-    all
 }
 
 #[cfg(test)]
