@@ -195,7 +195,8 @@ fn checkpoints_that_nobody_kept_are_refused() {
     let mut dice = Dice(0x5eed_0003);
     for _ in 0..300 {
         let bytes = dice.mutated(&trunk.checkpoint, &["\0\0\0\0", "\u{7f}"]);
-        let _ = run_case(&config, Some(&bytes), simd, &Patience::default());
+        let ended = run_case(&config, Some(&bytes), simd, &Patience::default());
+        assert!(ended.is_err() || bytes == trunk.checkpoint);
     }
     // As it lies on the disk.
     let root = tempfile::tempdir().unwrap();

@@ -35,13 +35,18 @@ pub(super) struct Clock {
     pub(super) looks: Looks,
 }
 
-/// Length of the hash that binds a checkpoint to its trunk.
+/// Length of a hash.
 const HASH: usize = 32;
 
-/// The bytes of a state, marked with the hash of its trunk. Their layout is that of the build: files
-/// of other builds are refused by what stands before the state, and ranks all have one build.
+/// The bytes of a state, behind the hash of its trunk and their own. Their layout is that of the
+/// build: files of other builds are refused by what stands before the state, and ranks all have one
+/// build.
 pub(super) fn encode(state: &RunState, config: &CaseConfig) -> Vec<u8> {
-    postcard::to_extend(state, trunk_hash(config).to_vec()).expect("a state always serialises")
+    let room = [trunk_hash(config), [0; HASH]].concat();
+    let mut bytes = postcard::to_extend(state, room).expect("a state always serialises");
+    let (marks, state) = bytes.split_at_mut(2 * HASH);
+    marks[HASH..].copy_from_slice(&Sha256::digest(state));
+    bytes
 }
 
 /// Reads a state back.
@@ -54,10 +59,16 @@ pub(super) fn decode(bytes: &[u8], config: &CaseConfig) -> Result<RunState, Fail
         time_s: 0.0,
         detail: detail.to_owned(),
     };
-    let (hash, state) =
-        bytes.split_at_checked(HASH).ok_or_else(|| unreadable("the checkpoint is cut short"))?;
-    if hash != trunk_hash(config) {
+    let (marks, state) = bytes
+        .split_at_checked(2 * HASH)
+        .ok_or_else(|| unreadable("the checkpoint is cut short"))?;
+    let (trunk, own) = marks.split_at(HASH);
+    if trunk != trunk_hash(config) {
         return Err(unreadable("the checkpoint belongs to another trunk"));
+    }
+    // A state that does not fit together would end the process.
+    if own != Sha256::digest(state).as_slice() {
+        return Err(unreadable("the checkpoint is damaged"));
     }
     postcard::from_bytes(state).map_err(|error| unreadable(&error.to_string()))
 }
