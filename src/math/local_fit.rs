@@ -6,19 +6,20 @@
 /// Degree of the polynomial.
 const DEGREE: usize = 4;
 
-/// LocalFit that are orthogonal on places between -1 and 1, where each counts (1 - s²)². They come
-/// from a recurrence (Forsythe 1957).
+/// Polynomials that are orthogonal on places between -1 and 1.
 pub struct LocalFit {
     middles: [f64; DEGREE + 1],
     shares: [f64; DEGREE + 1],
     norms: [f64; DEGREE + 1],
+    /// Their values at 0.
+    here: [f64; DEGREE + 1],
 }
 
 impl LocalFit {
     /// For samples at these places.
     pub fn on(places: impl Iterator<Item = f64> + Clone) -> LocalFit {
-        let [middles, shares, norms] = [[0.0; DEGREE + 1]; 3];
-        let mut all = LocalFit { middles, shares, norms };
+        let [middles, shares, norms, here] = [[0.0; DEGREE + 1]; 4];
+        let mut all = LocalFit { middles, shares, norms, here };
         for degree in 0..=DEGREE {
             let [norm, moment] = places.clone().fold([0.0; 2], |[norm, moment], s| {
                 let part = count(s) * all.at(s)[degree].powi(2);
@@ -28,6 +29,7 @@ impl LocalFit {
             all.shares[degree] = degree.checked_sub(1).map_or(0.0, |last| norm / all.norms[last]);
             all.norms[degree] = norm;
         }
+        all.here = all.at(0.0);
         all
     }
 
@@ -46,7 +48,7 @@ impl LocalFit {
     /// The weight of the sample at `s` in the value at 0 of the sum of polynomials with the least
     /// Σ (1 - s²)² δ².
     pub fn weight(&self, s: f64) -> f64 {
-        let terms = self.at(0.0).into_iter().zip(self.at(s)).zip(self.norms);
+        let terms = self.here.into_iter().zip(self.at(s)).zip(self.norms);
         count(s) * terms.map(|((here, there), norm)| here * there / norm).sum::<f64>()
     }
 }

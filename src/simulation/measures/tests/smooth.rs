@@ -19,8 +19,8 @@ fn the_swing_of_a_stiff_spring_is_no_maximum() {
             let swings = (time - 0.7).clamp(0.0, 0.2) / 0.2 * swing;
             let press = bell(time, 1.2, 2.0) + swings * (103.0 * time).sin();
             let displacement = if time < 0.7 { 0.0 } else { 1e-3 * press };
-            let stops = 0;
-            let reading = StepReading { time, force: 1.0 + press, runup: 0.0, displacement, stops };
+            let force = 1.0 + press;
+            let reading = StepReading { time, force, runup: 0.0, displacement, stops: 0 };
             measures.push(reading, None, mount);
             measures.press(time, press, &[press; 3]);
         }
