@@ -33,6 +33,14 @@ pub const SUITED: &[Suited] = &[
         set: |n, _| n.volume_feedback = 0.006,
     },
     Suited {
+        presets: &[Preset::Isph],
+        scenes: "solitary waves at upright walls by `isph`",
+        keys: &[("support_radius_ratio", "5.0")],
+        why: "In narrower supports the lattice that a crest has strained breaks up. Low waves lose less in them.",
+        holds: |a| a.scene.has_solitary_wave_at_upright_wall(),
+        set: |n, _| n.support_radius_ratio = 5.0,
+    },
+    Suited {
         presets: DEFAULT,
         scenes: "boxes that water fills, and before shores no steeper than 1:2 trains and runs of more than 200 √(h/g)",
         keys: &[("courant_number", "0.9")],
