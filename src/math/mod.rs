@@ -8,7 +8,6 @@ pub mod digest;
 #[cfg(target_os = "linux")]
 pub mod large_pages;
 pub mod lists;
-pub mod local_fit;
 pub mod name;
 pub mod root;
 pub mod scale;

@@ -165,7 +165,7 @@ impl Run {
             stops: wall.map(|wall| wall.stops),
             stop_impulse: wall.map(|_| m.blows.strongest().unwrap_or_default()),
             doubtful_reason: None,
-            moment_max: m.pressed.moment().filter(|_| tank.frame.gravity > 0.0),
+            moment_max: m.pressed.moment.filter(|_| tank.frame.gravity > 0.0),
             first_moment_max: m.pressed.first_moment(&m.first).filter(|_| hits_first),
             first_impulse: m.first.impulse().filter(|_| hits_first).map(|seconds| {
                 let frame = &tank.frame;

@@ -77,9 +77,6 @@ impl Logbook {
             sound.as_ref().map(|_| turn),
             points_on_wall(tank),
         );
-        if config.scene.seawall().is_some() && acoustics.sound_speed.is_none() {
-            measures.smooth(frame.unit_time());
-        }
         let period = tank.paddle.as_ref().and_then(|paddle| paddle.period());
         measures.waves = period.map(Waves::of);
         Logbook {

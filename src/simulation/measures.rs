@@ -8,7 +8,6 @@ use super::outcome::Maximum;
 use super::quiet_force::{Push, Quiet, QuietForce};
 use super::quiet_travel::{Mount, QuietTravel};
 use super::sound::Compression;
-use super::steady::Steady;
 use super::wall_pressures::Pressed;
 use super::waves::Waves;
 use crate::body::WallStep;
@@ -21,10 +20,6 @@ pub(super) const MEAN_SPAN: f64 = 0.07;
 pub struct Measures {
     quiet: QuietForce,
     travel: QuietTravel,
-    /// Smooth forces and displacements, as noise may set the wall swinging.
-    steady: Option<[Steady; 2]>,
-    /// Whether the wall swings much faster than waves move it.
-    stiff: bool,
     /// Whether the effect of sound is removed.
     listens: bool,
     /// The first impact.
@@ -67,8 +62,6 @@ impl Measures {
         Measures {
             quiet: QuietForce::new(MEAN_SPAN * unit_time, turn),
             travel: QuietTravel::new(),
-            steady: None,
-            stiff: false,
             listens: turn.is_some(),
             first: FirstImpact::new(thresholds, unit_time),
             blows: Blows::new(acoustics),
@@ -83,12 +76,6 @@ impl Measures {
             pressed: Pressed::new(points, MEAN_SPAN * unit_time),
             waves: None,
         }
-    }
-
-    /// Takes the swing of a stiff spring out of all readings, once the wall has moved; √(h/g) in seconds.
-    pub fn smooth(&mut self, unit_time: f64) {
-        self.steady = Some([1, 1].map(|columns| Steady::new(columns, unit_time)));
-        self.pressed.smooth(unit_time);
     }
 
     /// Takes one step's readings, the water's compression at the end of a turn of steps, and the
@@ -106,21 +93,14 @@ impl Measures {
         if let Some(waves) = &mut self.waves {
             waves.run_up(time, runup);
         }
-        if self.steady.is_some() && displacement != 0.0 {
-            self.stiff = mount.is_some_and(|mount| mount.is_stiff());
-        }
         if stopped {
-            self.go_to(None);
-            self.take(None, mount);
-            self.pressed.finish(&self.first);
             self.follow(time, Push::default(), mount);
         }
         self.blows.follow(time, displacement);
-        self.go_to(Some((time, displacement)));
+        self.travel.push(time, displacement);
         self.farthest = self.farthest.max(displacement.abs());
         let drowned = self.blows.drown(time);
         if drowned {
-            self.take(None, mount);
             let first = &mut self.first;
             self.quiet.finish(|quiet| first.push_last(quiet.time, quiet.force));
             self.quiet.clear();
@@ -130,7 +110,7 @@ impl Measures {
                 self.force_raw = Some(self.force_raw.map_or(force, |raw| raw.max(force)));
             }
             if let Some(quiet) = self.quiet.push((time, force), compression) {
-                self.take(Some(quiet), mount);
+                self.feel(quiet, mount);
             }
         }
         if drowned || !self.listens {
@@ -139,33 +119,7 @@ impl Measures {
         self.first.push_motion(&reading);
     }
 
-    /// Takes a time, s, and the wall's displacement. With none, nothing smooth reaches over this time.
-    fn go_to(&mut self, sample: Option<(f64, f64)>) {
-        match (&mut self.steady, sample) {
-            (Some([_, steady]), _) => {
-                steady.push(sample.map(|(time, displacement)| (time, displacement, &[][..])));
-                steady.each(self.stiff, |time, smooth| self.travel.push(time, smooth[0]));
-            }
-            (None, Some((time, displacement))) => self.travel.push(time, displacement),
-            (None, None) => {}
-        }
-    }
-
-    /// Takes a force without its sound. With none, nothing smooth reaches over this time.
-    fn take(&mut self, quiet: Option<Quiet>, mount: Option<Mount>) {
-        let Some([steady, _]) = &mut self.steady else {
-            return quiet.into_iter().for_each(|quiet| self.feel(quiet, mount));
-        };
-        steady.push(quiet.map(|quiet| (quiet.time, quiet.force, &[][..])));
-        while let Some([steady, _]) = &mut self.steady
-            && let Some((time, smooth)) = steady.next(self.stiff)
-        {
-            let force = smooth[0];
-            self.feel(Quiet { time, force, sound: Push::default() }, mount);
-        }
-    }
-
-    /// Takes a force for maxima, and the displacements until then.
+    /// Takes a force without its sound, and the displacements until then.
     fn feel(&mut self, quiet: Quiet, mount: Option<Mount>) {
         let Quiet { time, force, sound } = quiet;
         self.follow(time, sound, mount);
@@ -194,9 +148,7 @@ impl Measures {
     pub fn finish(&mut self, mount: Option<Mount>) {
         let mut rest = Vec::new();
         self.quiet.finish(|quiet| rest.push(quiet));
-        rest.into_iter().map(Some).chain([None]).for_each(|quiet| self.take(quiet, mount));
-        self.go_to(None);
-        self.pressed.finish(&self.first);
+        rest.into_iter().for_each(|quiet| self.feel(quiet, mount));
         self.follow(f64::INFINITY, Push::default(), mount);
     }
 
@@ -204,9 +156,9 @@ impl Measures {
     /// of the last step.
     pub fn press(&mut self, time: f64, moment: f64, pressures: &[f64]) {
         if self.blows.drown(time) {
-            self.pressed.interrupt(&self.first);
+            self.pressed.interrupt();
         } else {
-            self.pressed.push(time, moment, pressures, (&self.first, self.stiff));
+            self.pressed.push(time, moment, pressures, &self.first);
         }
     }
 

@@ -40,7 +40,6 @@ mod settling;
 mod sound;
 mod sounding;
 mod state;
-mod steady;
 mod surface;
 mod tongue;
 mod wall_load;

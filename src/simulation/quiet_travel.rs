@@ -19,7 +19,6 @@ use std::f64::consts::TAU;
 use serde::{Deserialize, Serialize};
 
 use super::quiet_force::Push;
-use super::steady;
 use crate::body::Restraint;
 use crate::theory::wall_potential::CARRIED;
 use crate::theory::wavemaker::damping;
@@ -64,12 +63,6 @@ impl Mount {
             sound_period: 4.0 * depth / sound_speed,
         };
         (held.stiffness > 0.0).then_some(mount)
-    }
-
-    /// Whether readings are to be smooth, see [`steady`].
-    pub fn is_stiff(&self) -> bool {
-        let mass = self.mass + 2.0 * CARRIED * self.unit_time * self.unit_time;
-        steady::is_stiff(TAU * (mass / self.stiffness).sqrt(), self.unit_time)
     }
 
     /// Advances x and x' by `dt` seconds by the implicit midpoint rule, which is stable for any

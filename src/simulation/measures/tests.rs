@@ -1,5 +1,3 @@
-mod smooth;
-
 use super::*;
 
 const WATER: Acoustics =
