@@ -35,14 +35,10 @@ pub const SUITED: &[Suited] = &[
     Suited {
         presets: &[Preset::Isph],
         scenes: "solitary waves at upright walls by `isph`",
-        keys: &[("support_radius_ratio", "5.0"), ("artificial_viscosity", "0.02")],
-        why: "In narrower supports the lattice that a crest has strained breaks up. With wider ones little viscosity is \
-              enough, and the water climbs higher. Low waves lose less in narrow supports.",
+        keys: &[("support_radius_ratio", "5.0")],
+        why: "In narrower supports the lattice that a crest has strained breaks up. Low waves lose less in them.",
         holds: |a| a.scene.has_solitary_wave_at_upright_wall(),
-        set: |n, _| {
-            n.support_radius_ratio = 5.0;
-            n.artificial_viscosity = 0.02;
-        },
+        set: |n, _| n.support_radius_ratio = 5.0,
     },
     Suited {
         presets: DEFAULT,
