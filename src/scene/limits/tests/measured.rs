@@ -72,7 +72,7 @@ fn what_bars_and_readings_were_not_set_for_is_told() {
     let bars = format!("{isph}\nerror_bars = \"pair\"");
     let narrow_bars = [isph, &bars, "error_bars = \"pair\""];
     assert_eq!(
-        narrow_bars.map(|numerics| told("", numerics, "are too narrow")),
+        narrow_bars.map(|numerics| told("wave_height_ratio = 0.5", numerics, "are too narrow")),
         [false, true, false]
     );
     let support = |wave: f64, support: f64| {
