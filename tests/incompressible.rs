@@ -302,10 +302,13 @@ fn water_that_meets_loses_what_is_booked() {
 /// Viscosity is explicit: from 0.07 m²/s on at ten rows, 0.28 at five, runs blew up at the step of thin water.
 #[test]
 fn thick_water_takes_shorter_steps() {
-    let viscous = |value: f64| config(SHORT, &format!("kinematic_viscosity_m2_per_s = {value}\n"));
+    let support = "support_radius_ratio = 4.0\n";
+    let viscous = |value: f64| {
+        config(SHORT, &format!("{support}kinematic_viscosity_m2_per_s = {value}\n"))
+    };
     let steps = |viscosity: f64| try_run(&viscous(viscosity)).unwrap().outcome.steps;
-    assert_eq!(steps(1e-3), try_run(&config(SHORT, "")).unwrap().outcome.steps);
-    let thick = try_run(&viscous(0.47)).unwrap().outcome;
+    assert_eq!(steps(1e-3), try_run(&config(SHORT, support)).unwrap().outcome.steps);
+    let thick = try_run(&viscous(0.3)).unwrap().outcome;
     assert!(thick.steps > 10 * steps(1e-3), "{}", thick.steps);
     // The paddle's push on thick water once counted twice: 10 % were missing.
     assert!(thick.energy_gap_percent.abs() < 2.0, "{}", thick.energy_gap_percent);
