@@ -303,9 +303,8 @@ fn water_that_meets_loses_what_is_booked() {
 #[test]
 fn thick_water_takes_shorter_steps() {
     let support = "support_radius_ratio = 4.0\n";
-    let viscous = |value: f64| {
-        config(SHORT, &format!("{support}kinematic_viscosity_m2_per_s = {value}\n"))
-    };
+    let viscous =
+        |value: f64| config(SHORT, &format!("{support}kinematic_viscosity_m2_per_s = {value}\n"));
     let steps = |viscosity: f64| try_run(&viscous(viscosity)).unwrap().outcome.steps;
     assert_eq!(steps(1e-3), try_run(&config(SHORT, support)).unwrap().outcome.steps);
     let thick = try_run(&viscous(0.3)).unwrap().outcome;
