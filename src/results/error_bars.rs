@@ -181,7 +181,7 @@ impl Study {
 /// Richardson's estimate of the error of `fine` for the order `order`. `coarse` is the same quantity
 /// at `ratio` times the spacing.
 fn richardson(fine: f64, coarse: f64, ratio: f64, order: f64) -> f64 {
-    (fine - coarse).abs() / (ratio.powf(order) - 1.0)
+    (fine - coarse).abs() / (libm::pow(ratio, order) - 1.0)
 }
 
 #[cfg(test)]

@@ -122,13 +122,15 @@ impl CaseConfig {
     /// The same case, without retries, with its time steps scaled.
     pub fn with_time_step_scaled(&self, scale: f64) -> CaseConfig {
         let mut config = self.clone();
+        let step = scale * self.scene.frame().time_step(&self.numerics);
         let numerics: &mut Numerics = &mut config.numerics;
+        // Viscosity or diffusion may bound the step more tightly than its Courant number.
+        numerics.time_step_s = Some(step);
         numerics.courant_number *= scale;
         if let Some(own) = &mut numerics.incompressible {
             own.gravity_courant_number *= scale;
             own.flow_courant_number *= scale;
         }
-        numerics.time_step_s = numerics.time_step_s.map(|step| step * scale);
         numerics.retries = 0;
         config
     }

@@ -133,7 +133,7 @@ impl Scene {
     /// Whether nothing moves its still water: there is a wall, and nothing makes a wave.
     pub fn is_still(&self) -> bool {
         match self {
-            Scene::Seawall(scene) => scene.wave_height_ratio == 0.0 && scene.recorded.is_none(),
+            Scene::Seawall(scene) => scene.is_still(),
             Scene::Hydrostatic(_) => true,
             _ => false,
         }

@@ -49,7 +49,7 @@ impl SceneOfKind for HydrostaticScene {
     }
 
     fn lattice(&self, numerics: &Numerics) -> Lattice {
-        Lattice::whole(&self.frame(), numerics, self.wall_angle_deg)
+        Lattice::whole(&self.frame(), numerics, self.wall_angle_deg).squared()
     }
 
     fn validate(&self, _: &Numerics) -> Result<(), ConfigError> {

@@ -39,6 +39,17 @@ impl Lattice {
         }
     }
 
+    /// The same rows in cells that are square, but for what makes whole columns: for still water.
+    ///
+    /// A lattice that is pressed together along one direction is no state of rest in the long run.
+    /// Still water of twelve rows moved after 60 s with rows of 0.967, 0.983 and 1.033 column
+    /// widths, and rested with 0.995 to 1.017 of them.
+    pub(super) fn squared(self) -> Lattice {
+        let columns = (self.length / self.spacing[1]).round().max(1.0);
+        let spacing = [self.length / columns, self.spacing[1]];
+        Lattice { columns: columns as usize, spacing, ..self }
+    }
+
     /// The same with this many more rows on top.
     pub(super) fn raised(&self, rows: usize) -> Lattice {
         Lattice { rows: self.rows + rows, ..*self }

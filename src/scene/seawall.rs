@@ -109,6 +109,11 @@ impl SeawallScene {
         self.bed.as_ref().filter(|bed| !bed.is_level())
     }
 
+    /// Whether nothing makes a wave.
+    pub(super) fn is_still(&self) -> bool {
+        self.wave_height_ratio == 0.0 && self.recorded.is_none()
+    }
+
     /// The paddle; none for still water.
     pub fn paddle(&self) -> Option<Paddle> {
         let (ratio, depth) = (self.wave_height_ratio, self.still_water_depth_m);

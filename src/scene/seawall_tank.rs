@@ -83,7 +83,8 @@ impl SceneOfKind for SeawallScene {
     }
 
     fn lattice(&self, numerics: &Numerics) -> Lattice {
-        Lattice::whole(&self.frame(), numerics, self.wall_angle_deg)
+        let lattice = Lattice::whole(&self.frame(), numerics, self.wall_angle_deg);
+        if self.is_still() { lattice.squared() } else { lattice }
     }
 
     fn particles(&self, numerics: &Numerics) -> usize {

@@ -172,9 +172,9 @@ pub fn run_case(
                 if attempt.retry < config.numerics.retries && failure.kind.is_instability() =>
             {
                 attempt.retry += 1;
-                let courant = attempt.config(config).numerics.courant_number;
+                let part = 1_u64 << attempt.retry;
                 attempt.told =
-                    Some(format!("recovered with courant_number = {courant} after {failure}"));
+                    Some(format!("recovered with 1/{part} of the time step after {failure}"));
                 start = Start::Rest;
             }
             Ok(mut result) => {

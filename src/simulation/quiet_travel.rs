@@ -72,7 +72,7 @@ impl Mount {
         let mass = self.mass + 2.0 * CARRIED * (deep * self.unit_time).powi(2);
         let swing = self.stiffness / mass;
         let taken = damping(swing * deep * self.unit_time * self.unit_time);
-        let damping = 2.0 * deep.powf(1.5) * self.unit_time * taken;
+        let damping = 2.0 * libm::pow(deep, 1.5) * self.unit_time * taken;
         let resists = mass + 0.5 * dt * (damping + 0.5 * dt * self.stiffness);
         let force = self.heard(push, deep * swing.sqrt() / TAU);
         let rate = (force - damping * v - self.stiffness * (x + 0.5 * dt * v)) / resists;

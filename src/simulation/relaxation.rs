@@ -60,7 +60,7 @@ impl Run {
             self.clock.steps += 1;
             gone += dt;
             if self.tank.water.can_be_kept() {
-                self.tank.water.slow_down(((slowed - gone) / (SLOWED_OVER * time)).exp());
+                self.tank.water.slow_down(libm::exp((slowed - gone) / (SLOWED_OVER * time)));
                 slowed = gone;
                 monitor.reached(self.clock.time - (time - gone).max(0.0));
                 if monitor.cancelled() {

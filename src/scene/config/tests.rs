@@ -64,6 +64,20 @@ fn a_whole_number_may_have_a_point_or_an_exponent() {
     assert_eq!(read("0.2e1"), read("2"));
 }
 
+/// Where viscosity bounds the step, half the Courant number changed nothing.
+#[test]
+fn a_retry_takes_half_the_step_whatever_bounds_it() {
+    let narrow = "artificial_viscosity = 1\nsupport_radius_ratio = 2\ncourant_number = 2.5";
+    for numerics in
+        ["", narrow, "time_step_s = 1e-5", "scheme = \"isph\"\nartificial_viscosity = 1"]
+    {
+        let case = case("", numerics).unwrap();
+        let step = |case: &CaseConfig| case.scene.frame().time_step(&case.numerics);
+        let halved = step(&case.with_time_step_scaled(0.5));
+        assert_eq!(halved, 0.5 * step(&case), "{numerics}");
+    }
+}
+
 fn told(case: Result<CaseConfig, ConfigError>, section: &str, message: &str) {
     let told = case.unwrap_err().to_string();
     assert!(told.starts_with(section) && told.ends_with(message), "{told:?}: {message:?}");
