@@ -3,7 +3,7 @@
 //! ```text
 //! α h c0 ρ0 Σ_j V_j π_ij ∇W_ij,   π_ij = (u_ij · x_ij) / |x_ij|²
 //! ```
-//! Another viscosity is another type like this.
+//! The viscosity of water is another term, in a pass of its own (`laminar.rs`).
 
 use crate::pairs::{Double, Eight, Fluid, Here, Neighbour, Other, Pair, Real, Term};
 
