@@ -115,8 +115,8 @@ impl Exchange {
         if at > 0.0 { share } else { 1.0 - share }
     }
 
-    /// The share of a ghost that counts. It is zero half a spacing above the waterline, one half a
-    /// spacing below.
+    /// The share of a ghost that counts. It is zero 0.4 spacings above the waterline, one 0.4 spacings
+    /// below.
     pub(super) fn wet_share(&self, body: usize, face: usize) -> f64 {
         self.waterlines[body].wet_share(self.wetness[face])
     }
